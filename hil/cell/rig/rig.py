@@ -1,0 +1,115 @@
+"""The rig file: one YAML that describes the cell; this is its schema and the way it is read."""
+
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Literal
+
+import yaml
+from pydantic import Field, ValidationError, model_validator
+
+from hil.cell.errors import RigError
+from hil.cell.rig.parts import Cable, Connector, Fixture, Pad, Physics, Tool
+from hil.cell.rig.randomisation import Randomisation
+from hil.cell.rig.robot import Robot
+from hil.cell.rig.section import Section
+from hil.cell.rig.sensor import CanBus, Sensor
+from hil.cell.rig.task import Latency, Limits, Task
+
+
+class Rig(Section):
+    """Everything that distinguishes one cell from another; with a seed, one run."""
+
+    name: str
+    seed: int = Field(1, ge=0)
+    clock: Literal["lockstep", "wall"] = "lockstep"
+    robot: Robot = Robot()
+    sensor: Sensor = Sensor()
+    can: CanBus = CanBus()
+    tool: Tool = Tool()
+    cable: Cable = Cable()
+    pad: Pad = Pad()
+    connector: Connector = Connector()
+    fixture: Fixture = Fixture()
+    physics: Physics = Physics()
+    latency: Latency = Latency()
+    limits: Limits = Limits()
+    task: Task = Task()
+    randomisation: Randomisation = Randomisation()
+
+    @model_validator(mode="after")
+    def _consistent(self) -> "Rig":
+        names = [part.name for part in self.fixture.parts]
+        if len(names) != len(set(names)):
+            raise ValueError(f"fixture.parts: names must differ, found {names}")
+        if self.cable.thickness >= self.connector.height:
+            raise ValueError("connector.height must exceed cable.thickness, or nothing can enter")
+        if self.cable.width >= self.connector.width:
+            raise ValueError("connector.width must exceed cable.width, or nothing can enter")
+        if self.task.goal_depth > self.connector.depth:
+            raise ValueError("task.goal_depth lies below the slot's floor (connector.depth)")
+        return self
+
+
+def load(path: Path) -> Rig:
+    """The rig in a YAML file; RigError is one line: which key, what was found, what is allowed."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise RigError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise RigError(f"{path}: is not UTF-8 text") from None
+    try:
+        return parse(text)
+    except RigError as error:
+        raise RigError(f"{path}: {error}") from None
+
+
+def parse(text: str) -> Rig:
+    """The rig in a YAML text; raises RigError."""
+    try:
+        content = yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        raise RigError(f"not YAML: {' '.join(str(error).split())}") from None
+    if not isinstance(content, dict):
+        raise RigError(f"a rig file is a mapping of sections, found {type(content).__name__}")
+    try:
+        return Rig.model_validate(content)
+    except ValidationError as error:
+        raise RigError("; ".join(_explain(entry) for entry in error.errors()[:5])) from None
+
+
+def _explain(entry: "object") -> str:
+    """One validation error as `key: what was found, what is allowed`."""
+    assert isinstance(entry, dict)
+    path = ".".join(str(step) for step in entry["loc"])
+    if entry["type"] == "extra_forbidden":
+        allowed = keys_at(entry["loc"][:-1])
+        near = get_close_matches(str(entry["loc"][-1]), allowed, n=1, cutoff=0.0)
+        hint = f"; did you mean '{near[0]}'?" if near else ""
+        return f"{path}: no such key{hint}"
+    message = str(entry["msg"]).removeprefix("Value error, ")
+    found = "" if entry["type"] == "missing" else f" (found {entry['input']!r})"
+    return f"{path}: {message}{found}" if path else message
+
+
+def keys_at(loc: tuple[int | str, ...]) -> list[str]:
+    """The keys that a rig file allows at a place, [] where it allows none."""
+    section: object = Rig
+    for step in loc:
+        if isinstance(step, int):
+            continue
+        field = section.model_fields.get(step) if _is_section(section) else None
+        section = _section_in(field.annotation) if field else None
+    return list(section.model_fields) if _is_section(section) else []
+
+
+def _is_section(kind: object) -> bool:
+    return isinstance(kind, type) and issubclass(kind, Section)
+
+
+def _section_in(annotation: object) -> object:
+    """The section that an annotation is, or holds as tuple[Part, ...]."""
+    if _is_section(annotation):
+        return annotation
+    inner = [arg for arg in getattr(annotation, "__args__", ()) if _is_section(arg)]
+    return inner[0] if inner else None

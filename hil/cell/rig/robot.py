@@ -1,0 +1,78 @@
+"""Rig sections of the arm, its servo, its gripper and its safety limits."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from hil.cell.rig.quantity import Hertz, Metres, MetresPerSecond, Radians, RadiansPerSecond, Seconds
+from hil.cell.rig.section import Section
+
+Model = Literal[
+    "ur3", "ur5", "ur10", "ur3e", "ur5e", "ur7e", "ur10e", "ur12e", "ur16e", "ur15", "ur18",
+    "ur20", "ur30", "ur8long",
+]  # fmt: skip
+
+
+class Ports(Section):
+    """TCP ports; 0 takes a free one and the cell says which."""
+
+    dashboard: int = Field(29999, ge=0, le=65535)
+    primary: int = Field(30001, ge=0, le=65535)
+    secondary: int = Field(30002, ge=0, le=65535)
+    realtime: int = Field(30003, ge=0, le=65535)
+    rtde: int = Field(30004, ge=0, le=65535)
+
+
+class Servo(Section):
+    """How the arm follows set-points: a critically damped second-order lag, as measured in
+    contact-free tracking (22 Hz gives a ramp lag of 14.5 ms)."""
+
+    bandwidth: Hertz = 22.0
+
+
+class Safety(Section):
+    """Limits of the robot's own safety system; beyond one it makes a protective stop."""
+
+    joint_speed: RadiansPerSecond = 3.1415926535897931
+    tcp_speed: MetresPerSecond = 1.0
+    joint_range: Radians = 6.2831853071795862
+    servo_step: Radians = 0.05
+    """Largest joint set-point jump of one control period."""
+
+
+class Jaws(Section):
+    """Pneumatic jaws on one digital output, with a grip sensor on one digital input."""
+
+    output: int = Field(0, ge=0, le=7)
+    sensed: int = Field(0, ge=0, le=7)
+    close_delay: Seconds = 0.08
+    open_delay: Seconds = 0.06
+    sense_delay: Seconds = 0.02
+
+
+class Robot(Section):
+    """The arm: model, controller series and software version, and what hangs on it."""
+
+    model: Model = "ur5"
+    series: Literal["cb3", "e-series"] = "cb3"
+    version: str = Field("3.15.8.106339", pattern=r"^\d+\.\d+\.\d+\.\d+$")
+    host: str = "127.0.0.1"
+    ports: Ports = Ports()
+    repeatability: Metres = 0.03e-3
+    """Half width of the true pose's offset from the reported one, drawn anew at every grip."""
+    home: tuple[Radians, Radians, Radians, Radians, Radians, Radians] = (
+        0.0, -1.5707963267948966, 1.5707963267948966, -1.5707963267948966, -1.5707963267948966, 0.0,
+    )  # fmt: skip
+    servo: Servo = Servo()
+    safety: Safety = Safety()
+    jaws: Jaws = Jaws()
+
+    @property
+    def rate(self) -> int:
+        """Control rate of the series, Hz (CB3 125, e-Series 500)."""
+        return 125 if self.series == "cb3" else 500
+
+    @property
+    def period(self) -> int:
+        """Control period, ns."""
+        return 1_000_000_000 // self.rate

@@ -1,0 +1,62 @@
+"""Rig sections of the force/torque sensor and its bus.
+
+Presets carry the card's numbers (range, resolution) and typical strain-gauge errors; the vendor
+publishes no error budget, so the second kind is this project's assumption, each term its own key.
+"""
+
+from typing import Literal
+
+from pydantic import Field
+
+from hil.cell.rig.quantity import BitsPerSecond, Hertz, NewtonMetres, Newtons, Seconds
+from hil.cell.rig.section import Section
+
+
+class Errors(Section):
+    """Transducer errors, force and torque; 0 switches one off. Sigmas unless said otherwise."""
+
+    noise_force: Newtons = 0.05
+    noise_torque: NewtonMetres = 0.0008
+    bias_force: Newtons = 5.0
+    bias_torque: NewtonMetres = 0.1
+    warm_up_force: Newtons = 1.5
+    warm_up_torque: NewtonMetres = 0.03
+    warm_up_time: Seconds = 900.0
+    walk_force: Newtons = 0.005
+    """Bias random walk, N per square root of a second."""
+    walk_torque: NewtonMetres = 0.0001
+    crosstalk: float = Field(0.01, ge=0, le=0.1)
+    """Sigma of the off-diagonal calibration error, fraction of full scale per full scale."""
+    gain: float = Field(0.01, ge=0, le=0.1)
+    hysteresis: float = Field(0.005, ge=0, le=0.1)
+    """Width as a fraction of the peak excursion."""
+    clock_error: float = Field(50e-6, ge=0, le=1e-2)
+    """Sample clock, half width, as a fraction."""
+
+
+class Sensor(Section):
+    """The sensor: range, resolution, filter, errors, and how it talks."""
+
+    preset: Literal["nrs-6050-d80", "nrs-6050-d80-quiet"] = "nrs-6050-d80"
+    rate: Hertz = 1000.0
+    range_force: Newtons = 500.0
+    range_torque: NewtonMetres = 10.0
+    resolution_force: Newtons = 0.015
+    resolution_torque: NewtonMetres = 0.312e-3
+    saturation: float = Field(1.2, ge=1.0, le=1.9)
+    """Clipping point as a multiple of the range."""
+    filter_cutoff: Hertz = 0.0
+    """First-order low-pass; 0 Hz is off."""
+    errors: Errors = Errors()
+    frames: Literal["classic", "fd"] = "classic"
+    node: int = Field(1, ge=1, le=15)
+    boot_time: Seconds = 0.3
+
+
+class CanBus(Section):
+    """The python-can bus. `auto` takes socketcan where a CAN interface is up, else `virtual` in
+    one process and `udp_multicast` between processes, and says which."""
+
+    interface: Literal["auto", "virtual", "udp_multicast", "socketcan"] = "auto"
+    channel: str = ""
+    bitrate: BitsPerSecond = 1e6

@@ -1,0 +1,48 @@
+"""Rig sections of the job and of the limits that the near side's guard enforces."""
+
+from pydantic import Field
+
+from hil.cell.rig.latency import LatencyLaw
+from hil.cell.rig.quantity import Metres, MetresPerSecond, NewtonMetres, Newtons, Radians, Seconds
+from hil.cell.rig.section import Section
+
+
+class Limits(Section):
+    """What ends a run safely. force_bound is the paper's f_b on |fx|, |fy|, |fz|, |tau_z|."""
+
+    force_bound: tuple[Newtons, Newtons, Newtons, NewtonMetres] = (1.5, 1.5, 10.0, 1.0)
+    workspace: tuple[Metres, Metres, Metres] = (0.4, 0.4, 0.3)
+    """Half widths around the connector, base frame."""
+    step: Metres = 3e-3
+    """Largest set-point change of one period."""
+    step_rotation: Radians = 0.02
+    speed: MetresPerSecond = 0.3
+    sample_age: Seconds = 10e-3
+
+
+class Task(Section):
+    """The insertion: contact force, the six actions' sizes, goal, and where episodes start."""
+
+    contact_force: Newtons = 5.0
+    step: Metres = 0.3e-3
+    step_rotation: Radians = 0.0174532925199433
+    goal_depth: Metres = 2.0e-3
+    max_steps: int = Field(500, ge=1)
+    start_cells: tuple[int, int, int] = (8, 8, 6)
+    """Half widths of the start's uniform draw in x, y, theta, in steps."""
+    clearance: Metres = 5e-3
+    """Height above the face at which the approach begins."""
+
+
+class Link(Section):
+    """Delays of one link, by direction."""
+
+    to_cell: LatencyLaw = LatencyLaw()
+    from_cell: LatencyLaw = LatencyLaw()
+
+
+class Latency(Section):
+    """Delays in bench time, the same in both clocks."""
+
+    rtde: Link = Link()
+    can: Link = Link()
