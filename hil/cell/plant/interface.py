@@ -40,7 +40,7 @@ class Contact(Enum):
 class PartTruth:
     """The gripped part as nobody in the cell can measure it.
 
-    tip: tip middle in task frame, m. theta: tip rotation about z, rad. depth: tip below the face, m.
+    tip: tip middle in task frame, m. theta: tip rotation about z, rad. depth: below the face, m.
     grip: part in jaws (x, y, theta), m, m, rad, slip included. name: None when the jaws are empty.
     """
 

@@ -1,0 +1,18 @@
+"""Light, camera and table: seen in pictures, felt by nothing."""
+
+import mujoco
+
+CLOSE_UP = "close_up"
+"""Camera that looks at the slot from 4 cm, over the cable's broad side."""
+
+
+def add_scenery(spec: mujoco.MjSpec) -> None:
+    spec.visual.global_.offwidth = 1280
+    spec.visual.global_.offheight = 960
+    spec.visual.map.znear = 0.01
+    spec.stat.extent = 0.05
+    spec.stat.center = [0.0, 0.0, 0.0]
+    spec.worldbody.add_light(pos=[0.05, -0.1, 0.1], dir=[-0.4, 0.8, -0.8])
+    spec.worldbody.add_camera(
+        name=CLOSE_UP, pos=[0.018, -0.030, 0.018], quat=[0.7865, 0.4926, 0.1969, 0.3143]
+    )
