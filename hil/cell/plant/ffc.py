@@ -50,7 +50,7 @@ class FfcPlant:
         self._depth = 0.0
 
     def reset(self, stage: StageTarget) -> PlantStep:
-        """Start at rest with open jaws; the step's only wrench is the one at rest.  # (1, 6)"""
+        """Start at rest with open jaws; the step's one wrench is the one at rest."""
         _check(stage)
         mujoco.mj_resetData(self.model, self.state)
         self._jaws.reset()

@@ -36,7 +36,8 @@ class GrippedCable:
 
     def hang(self, grip: Grip) -> None:
         """Put a straight cable into the jaws, held as `grip` says, and let it touch."""
-        self._model.body_pos[self._jaws] = self._jaws_rest + (grip.x, grip.y, grip.z)
+        offset = np.array((grip.x, grip.y, grip.z))
+        self._model.body_pos[self._jaws] = self._jaws_rest + offset
         half = grip.theta / 2
         self._model.body_quat[self._jaws] = (cos(half), 0.0, 0.0, sin(half))
         self._straighten()

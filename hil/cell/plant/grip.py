@@ -58,7 +58,7 @@ class Jaws:
         self.grip: Grip | None = None
 
     def move(self, closed: bool, stage: Stage, depth: float) -> bool:
-        """Close or open at `stage` with the part's tip at `depth` m; True if what is held changed."""
+        """Close or open at `stage`, the held tip at `depth` m; True if what is held changed."""
         if closed == self.closed:
             return False
         self.closed = closed

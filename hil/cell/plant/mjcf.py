@@ -27,7 +27,7 @@ def build(rig: Rig, history: int) -> mujoco.MjModel:
 
 
 def _set_options(spec: mujoco.MjSpec, step: float) -> None:
-    """Chosen by measurement; the defaults (Euler, pyramidal cone, tolerance 1e-8) creep and chatter."""
+    """Chosen by measurement; the defaults (Euler, pyramidal cone) creep and chatter."""
     spec.compiler.degree = False
     option = spec.option
     option.timestep = step

@@ -1,6 +1,7 @@
 """The cable in the jaws: a compliant pad, and below it a chain of plates on elastic hinges."""
 
 from math import sqrt
+from typing import NamedTuple, TypedDict
 
 import mujoco
 
@@ -18,7 +19,6 @@ PLATE_MASS = 1e-5
 RGBA = [0.2, 0.4, 0.9, 1.0]
 
 X, Y, Z = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]
-SLIDE, HINGE = mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE
 
 
 def add_cable(jaws: mujoco.MjsBody, cable: Cable, pad: Pad, connector: Connector) -> None:
@@ -45,28 +45,54 @@ def _body(parent: mujoco.MjsBody, name: str, z: float) -> mujoco.MjsBody:
     )
 
 
+class SpringOptions(TypedDict):
+    """Keyword arguments of MjsBody.add_joint that make a joint springy."""
+
+    armature: float
+    stiffness: list[float]
+    damping: list[float]
+
+
+class Spring(NamedTuple):
+    """Stiffness, armature and damping ratio of a joint, in SI for its kind."""
+
+    stiffness: float
+    armature: float
+    damping_ratio: float
+
+
 def _add_pad(body: mujoco.MjsBody, pad: Pad, width: float) -> None:
-    inertia = PAD_MASS * width**2 / 12
-    zeta = pad.damping_ratio
-    _add_spring(body, "pad_y", SLIDE, Y, pad.stiffness_y, PAD_MASS, zeta)
-    _add_spring(body, "pad_x", SLIDE, X, pad.stiffness_x, PAD_MASS, zeta)
-    _add_spring(body, "pad_z", SLIDE, Z, pad.stiffness_z, PAD_MASS, zeta)
-    _add_spring(body, "pad_tilt", HINGE, Y, pad.stiffness_rotation, inertia, zeta)
+    inertia, zeta = PAD_MASS * width**2 / 12, pad.damping_ratio
+    _add_slide(body, "pad_y", Y, Spring(pad.stiffness_y, PAD_MASS, zeta))
+    _add_slide(body, "pad_x", X, Spring(pad.stiffness_x, PAD_MASS, zeta))
+    _add_slide(body, "pad_z", Z, Spring(pad.stiffness_z, PAD_MASS, zeta))
+    _add_hinge(body, "pad_tilt", Y, Spring(pad.stiffness_rotation, inertia, zeta))
 
 
 def _add_hinges(body: mujoco.MjsBody, cable: Cable, index: int) -> None:
-    bend, twist = beam.bending_hinge(cable, index), beam.twist_hinge(cable)
-    _add_spring(body, f"bend{index}", HINGE, X, bend, BENDING_ARMATURE, CHAIN_DAMPING_RATIO)
-    _add_spring(body, f"twist{index}", HINGE, Z, twist, TWIST_ARMATURE, CHAIN_DAMPING_RATIO)
+    zeta = CHAIN_DAMPING_RATIO
+    bend = Spring(beam.bending_hinge(cable, index), BENDING_ARMATURE, zeta)
+    _add_hinge(body, f"bend{index}", X, bend)
+    _add_hinge(body, f"twist{index}", Z, Spring(beam.twist_hinge(cable), TWIST_ARMATURE, zeta))
 
 
-def _add_spring(
-    body: mujoco.MjsBody, name: str, kind: mujoco.mjtJoint, axis: list[float],
-    stiffness: float, armature: float, damping_ratio: float,
-) -> None:  # fmt: skip
-    """A joint with a spring and damping; MuJoCo takes both as polynomials, here of degree 1."""
-    damping = 2 * damping_ratio * sqrt(stiffness * armature)
+def _add_slide(body: mujoco.MjsBody, name: str, axis: list[float], spring: Spring) -> None:
     body.add_joint(
-        name=name, type=kind, axis=axis, armature=armature,
-        stiffness=[stiffness, 0.0, 0.0], damping=[damping, 0.0, 0.0],
-    )  # fmt: skip
+        name=name, type=mujoco.mjtJoint.mjJNT_SLIDE, axis=axis, **_spring_options(spring)
+    )
+
+
+def _add_hinge(body: mujoco.MjsBody, name: str, axis: list[float], spring: Spring) -> None:
+    body.add_joint(
+        name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis, **_spring_options(spring)
+    )
+
+
+def _spring_options(spring: Spring) -> SpringOptions:
+    """MuJoCo takes stiffness and damping as polynomials, here of degree one."""
+    damping = 2 * spring.damping_ratio * sqrt(spring.stiffness * spring.armature)
+    return SpringOptions(
+        armature=spring.armature,
+        stiffness=[spring.stiffness, 0.0, 0.0],
+        damping=[damping, 0.0, 0.0],
+    )

@@ -68,10 +68,11 @@ def _add_servo(spec: mujoco.MjSpec, joint: str, mass: float, arm: Servo) -> None
 
 def _add_jaw_shapes(tool: mujoco.MjsBody, size: Tool, cable: Cable) -> None:
     """What a picture shows of the jaws: two plates that hold the cable; they touch nothing."""
+    root = cable.free_length - size.length
     for side in (-1, 1):
         tool.add_geom(
             name=f"jaw{side:+d}", type=mujoco.mjtGeom.mjGEOM_BOX, mass=0.0, contype=0,
             conaffinity=0, rgba=JAW_RGBA,
-            pos=[0.0, side * (1.5e-3 + cable.thickness / 2), cable.free_length - size.length + 6e-3],
+            pos=[0.0, side * (1.5e-3 + cable.thickness / 2), root + 6e-3],
             size=[cable.width / 2 + 1e-3, 1.5e-3, 6e-3],
         )  # fmt: skip

@@ -28,7 +28,7 @@ class WrenchHistory:
         self._rows: dict[tuple[int, int], NDArray[np.intp]] = {}
 
     def newest(self, samples: int) -> Array:
-        """The last `samples` wrenches, oldest first, on the tool in the sensor's frame.  # (n, 6)
+        """The last `samples` wrenches on the tool in the sensor's frame, oldest first: (n, 6).
 
         MuJoCo reports the force that the arm exerts on the tool; what acts on the tool from
         outside, weight and inertia included, is its opposite.
