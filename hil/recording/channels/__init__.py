@@ -1,0 +1,1 @@
+"""What each channel carries: `encode` is cheap and runs in the loop, `fields` in the writer."""
