@@ -1,4 +1,4 @@
-"""What a URScript program may do to the robot; the control box implements it, the interpreter calls it.
+"""What a URScript program may do to the robot: the control box implements, scripts call it.
 
 Poses are (x, y, z, rx, ry, rz) in m and rad, of the TCP in the base frame unless said otherwise.
 Every call belongs to the current control cycle; calls that move say what the servo should do in

@@ -3,6 +3,7 @@
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import model_validator
 
 from hil.cell.rig.quantity import Seconds
@@ -28,13 +29,19 @@ class LatencyLaw(Section):
 
     def draw(self, rng: np.random.Generator) -> int:
         """One delay, ns."""
-        if self.law == "constant" or self.jitter == 0.0:
-            return round(self.mean * NS)
+        return self.draws(rng, 1)[0]
+
+    def draws(self, rng: np.random.Generator, count: int) -> list[int]:
+        """So many delays, ns: one call for many costs little more than for one."""
+        seconds = np.maximum(self._seconds(rng, count), 0.0)
+        return [int(ns) for ns in np.rint(seconds * NS)]
+
+    def _seconds(self, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
         if self.law == "uniform":
-            seconds = rng.uniform(self.mean - self.jitter, self.mean + self.jitter)
-        elif self.law == "normal":
-            seconds = rng.normal(self.mean, self.jitter)
-        else:
+            return rng.uniform(self.mean - self.jitter, self.mean + self.jitter, count)
+        if self.law == "normal":
+            return rng.normal(self.mean, self.jitter, count)
+        if self.law == "gamma":
             shape = (self.mean / self.jitter) ** 2
-            seconds = rng.gamma(shape, self.mean / shape)
-        return max(0, round(seconds * NS))
+            return rng.gamma(shape, self.mean / shape, count)
+        return np.full(count, self.mean)

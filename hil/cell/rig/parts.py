@@ -8,7 +8,13 @@ from typing import Literal
 from pydantic import Field
 
 from hil.cell.rig.quantity import (
-    Kilograms, Metres, NewtonMetresPerRadian, Newtons, NewtonsPerMetre, Pascals, Radians,
+    Kilograms,
+    Metres,
+    NewtonMetresPerRadian,
+    Newtons,
+    NewtonsPerMetre,
+    Pascals,
+    Radians,
     Seconds,
 )  # fmt: skip
 from hil.cell.rig.section import Section
@@ -21,8 +27,8 @@ class Cable(Section):
     thickness: Metres = 0.3e-3
     free_length: Metres = 6e-3  # assumed
     modulus: Pascals = 5e9  # assumed: effective, copper included
-    poisson: float = Field(0.35, ge=0, lt=0.5)
-    segments: int = Field(4, ge=1, le=16)
+    poisson: float = Field(default=0.35, ge=0, lt=0.5)
+    segments: int = Field(default=4, ge=1, le=16)
 
 
 class Pad(Section):
@@ -32,9 +38,9 @@ class Pad(Section):
     stiffness_y: NewtonsPerMetre = 8e3  # assumed
     stiffness_z: NewtonsPerMetre = 20e3  # assumed
     stiffness_rotation: NewtonMetresPerRadian = 0.57  # assumed
-    damping_ratio: float = Field(0.4, gt=0, le=2)
+    damping_ratio: float = Field(default=0.4, gt=0, le=2)
     slip_force: Newtons = 30.0  # assumed: friction times clamping force
-    slip_torque: float = Field(0.2, gt=0)  # assumed, N·m about the jaws' closing axis
+    slip_torque: float = Field(default=0.2, gt=0)  # assumed, N·m about the jaws' closing axis
 
 
 class Connector(Section):
@@ -44,7 +50,7 @@ class Connector(Section):
     height: Metres = 0.37e-3
     depth: Metres = 2.5e-3
     chamfer: Metres = 0.25e-3  # assumed
-    friction: float = Field(0.2, ge=0, le=1)  # assumed
+    friction: float = Field(default=0.2, ge=0, le=1)  # assumed
     mating_force: Newtons = 4.0  # assumed
     mating_start: Metres = 0.8e-3  # assumed: depth at which the terminals begin to grip
     mating_ramp: Metres = 0.4e-3  # assumed: depth over which they reach the full force
@@ -87,5 +93,5 @@ class Physics(Section):
     plant: Literal["mujoco", "analytic", "wall"] = "mujoco"
     step: Seconds = 0.5e-3
     wall_stiffness: NewtonsPerMetre = 10e3
-    wall_damping: float = Field(20.0, ge=0)
+    wall_damping: float = Field(default=20.0, ge=0)
     """N s/m, of the `wall` plant."""

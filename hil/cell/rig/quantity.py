@@ -1,5 +1,6 @@
 """Physical quantities in rig files: text with a unit in, a float in SI out."""
 
+import math
 from functools import cache
 from typing import Annotated
 
@@ -20,7 +21,7 @@ def parse(text: object, unit: str) -> float:
         value = float(_registry().Quantity(text).to(unit).magnitude)
     except (pint.PintError, AssertionError, TypeError, ValueError) as error:
         raise ValueError(f"{text!r} is not a quantity in {unit} ({error})") from None
-    if value != value or value in (float("inf"), float("-inf")):
+    if not math.isfinite(value):
         raise ValueError(f"{text!r} is not finite")
     return value
 

@@ -4,12 +4,14 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Literal
 
+import numpy as np
 import yaml
 from pydantic import Field, ValidationError, model_validator
+from pydantic_core import ErrorDetails
 
 from hil.cell.errors import RigError
 from hil.cell.rig.parts import Cable, Connector, Fixture, Pad, Physics, Tool
-from hil.cell.rig.randomisation import Randomisation
+from hil.cell.rig.randomisation import Axis, Randomisation
 from hil.cell.rig.robot import Robot
 from hil.cell.rig.section import Section
 from hil.cell.rig.sensor import CanBus, Sensor
@@ -20,7 +22,7 @@ class Rig(Section):
     """Everything that distinguishes one cell from another; with a seed, one run."""
 
     name: str
-    seed: int = Field(1, ge=0)
+    seed: int = Field(default=1, ge=0)
     clock: Literal["lockstep", "wall"] = "lockstep"
     robot: Robot = Robot()
     sensor: Sensor = Sensor()
@@ -47,6 +49,8 @@ class Rig(Section):
             raise ValueError("connector.width must exceed cable.width, or nothing can enter")
         if self.task.goal_depth > self.connector.depth:
             raise ValueError("task.goal_depth lies below the slot's floor (connector.depth)")
+        for axis in self.randomisation.axes:
+            bounds(self, axis)
         return self
 
 
@@ -58,6 +62,10 @@ def load(path: Path) -> Rig:
         raise RigError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise RigError(f"{path}: is not UTF-8 text") from None
+    return _named(path, text)
+
+
+def _named(path: Path, text: str) -> Rig:
     try:
         return parse(text)
     except RigError as error:
@@ -78,38 +86,56 @@ def parse(text: str) -> Rig:
         raise RigError("; ".join(_explain(entry) for entry in error.errors()[:5])) from None
 
 
-def _explain(entry: "object") -> str:
+def _explain(entry: ErrorDetails) -> str:
     """One validation error as `key: what was found, what is allowed`."""
-    assert isinstance(entry, dict)
     path = ".".join(str(step) for step in entry["loc"])
     if entry["type"] == "extra_forbidden":
         allowed = keys_at(entry["loc"][:-1])
         near = get_close_matches(str(entry["loc"][-1]), allowed, n=1, cutoff=0.0)
         hint = f"; did you mean '{near[0]}'?" if near else ""
         return f"{path}: no such key{hint}"
-    message = str(entry["msg"]).removeprefix("Value error, ")
+    message = entry["msg"].removeprefix("Value error, ")
     found = "" if entry["type"] == "missing" else f" (found {entry['input']!r})"
     return f"{path}: {message}{found}" if path else message
 
 
+def bounds(rig: Rig, axis: Axis) -> tuple[float, float]:
+    """An axis' two ends in SI; ValueError when its key or a value is not the rig's."""
+    head, _, field = axis.key.partition(".")
+    section = getattr(rig, head, None)
+    if not isinstance(section, Section) or not isinstance(getattr(section, field, None), float):
+        raise ValueError(f"randomisation: '{axis.key}' is not a number of this rig")
+    low, high = (
+        float(getattr(type(section).model_validate({field: end}), field))
+        for end in (axis.low, axis.high)
+    )
+    if low > high:
+        raise ValueError(f"randomisation: {axis.key} goes from {axis.low} down to {axis.high}")
+    return low, high
+
+
+def drawn(rig: Rig, rng: np.random.Generator) -> Rig:
+    """The rig with every enabled axis drawn uniformly."""
+    for axis in rig.randomisation.axes if rig.randomisation.enabled else ():
+        head, _, field = axis.key.partition(".")
+        value = float(rng.uniform(*bounds(rig, axis)))
+        section = getattr(rig, head).model_copy(update={field: value})
+        rig = rig.model_copy(update={head: section})
+    return rig
+
+
 def keys_at(loc: tuple[int | str, ...]) -> list[str]:
     """The keys that a rig file allows at a place, [] where it allows none."""
-    section: object = Rig
+    section: type[Section] | None = Rig
     for step in loc:
-        if isinstance(step, int):
+        if isinstance(step, int) or section is None:
             continue
-        field = section.model_fields.get(step) if _is_section(section) else None
+        field = section.model_fields.get(step)
         section = _section_in(field.annotation) if field else None
-    return list(section.model_fields) if _is_section(section) else []
+    return list(section.model_fields) if section else []
 
 
-def _is_section(kind: object) -> bool:
-    return isinstance(kind, type) and issubclass(kind, Section)
-
-
-def _section_in(annotation: object) -> object:
+def _section_in(annotation: object) -> type[Section] | None:
     """The section that an annotation is, or holds as tuple[Part, ...]."""
-    if _is_section(annotation):
-        return annotation
-    inner = [arg for arg in getattr(annotation, "__args__", ()) if _is_section(arg)]
-    return inner[0] if inner else None
+    candidates = (annotation, *getattr(annotation, "__args__", ()))
+    return next((c for c in candidates if isinstance(c, type) and issubclass(c, Section)), None)

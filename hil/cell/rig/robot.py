@@ -16,16 +16,17 @@ Model = Literal[
 class Ports(Section):
     """TCP ports; 0 takes a free one and the cell says which."""
 
-    dashboard: int = Field(29999, ge=0, le=65535)
-    primary: int = Field(30001, ge=0, le=65535)
-    secondary: int = Field(30002, ge=0, le=65535)
-    realtime: int = Field(30003, ge=0, le=65535)
-    rtde: int = Field(30004, ge=0, le=65535)
+    dashboard: int = Field(default=29999, ge=0, le=65535)
+    primary: int = Field(default=30001, ge=0, le=65535)
+    secondary: int = Field(default=30002, ge=0, le=65535)
+    realtime: int = Field(default=30003, ge=0, le=65535)
+    rtde: int = Field(default=30004, ge=0, le=65535)
 
 
 class Servo(Section):
     """How the arm follows set-points: a critically damped second-order lag, as measured in
-    contact-free tracking (22 Hz gives a ramp lag of 14.5 ms)."""
+    contact-free tracking (22 Hz gives a ramp lag of 14.5 ms).
+    """
 
     bandwidth: Hertz = 22.0
 
@@ -43,8 +44,8 @@ class Safety(Section):
 class Jaws(Section):
     """Pneumatic jaws on one digital output, with a grip sensor on one digital input."""
 
-    output: int = Field(0, ge=0, le=7)
-    sensed: int = Field(0, ge=0, le=7)
+    output: int = Field(default=0, ge=0, le=7)
+    sensed: int = Field(default=0, ge=0, le=7)
     close_delay: Seconds = 0.08
     open_delay: Seconds = 0.06
     sense_delay: Seconds = 0.02
@@ -55,7 +56,7 @@ class Robot(Section):
 
     model: Model = "ur5"
     series: Literal["cb3", "e-series"] = "cb3"
-    version: str = Field("3.15.8.106339", pattern=r"^\d+\.\d+\.\d+\.\d+$")
+    version: str = Field(default="3.15.8.106339", pattern=r"^\d+\.\d+\.\d+\.\d+$")
     host: str = "127.0.0.1"
     ports: Ports = Ports()
     repeatability: Metres = 0.03e-3

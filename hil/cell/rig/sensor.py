@@ -25,12 +25,12 @@ class Errors(Section):
     walk_force: Newtons = 0.005
     """Bias random walk, N per square root of a second."""
     walk_torque: NewtonMetres = 0.0001
-    crosstalk: float = Field(0.01, ge=0, le=0.1)
+    crosstalk: float = Field(default=0.01, ge=0, le=0.1)
     """Sigma of the off-diagonal calibration error, fraction of full scale per full scale."""
-    gain: float = Field(0.01, ge=0, le=0.1)
-    hysteresis: float = Field(0.005, ge=0, le=0.1)
+    gain: float = Field(default=0.01, ge=0, le=0.1)
+    hysteresis: float = Field(default=0.005, ge=0, le=0.1)
     """Width as a fraction of the peak excursion."""
-    clock_error: float = Field(50e-6, ge=0, le=1e-2)
+    clock_error: float = Field(default=50e-6, ge=0, le=1e-2)
     """Sample clock, half width, as a fraction."""
 
 
@@ -43,19 +43,20 @@ class Sensor(Section):
     range_torque: NewtonMetres = 10.0
     resolution_force: Newtons = 0.015
     resolution_torque: NewtonMetres = 0.312e-3
-    saturation: float = Field(1.2, ge=1.0, le=1.9)
+    saturation: float = Field(default=1.2, ge=1.0, le=1.9)
     """Clipping point as a multiple of the range."""
     filter_cutoff: Hertz = 0.0
     """First-order low-pass; 0 Hz is off."""
     errors: Errors = Errors()
     frames: Literal["classic", "fd"] = "classic"
-    node: int = Field(1, ge=1, le=15)
+    node: int = Field(default=1, ge=1, le=15)
     boot_time: Seconds = 0.3
 
 
 class CanBus(Section):
     """The python-can bus. `auto` takes socketcan where a CAN interface is up, else `virtual` in
-    one process and `udp_multicast` between processes, and says which."""
+    one process and `udp_multicast` between processes, and says which.
+    """
 
     interface: Literal["auto", "virtual", "udp_multicast", "socketcan"] = "auto"
     channel: str = ""

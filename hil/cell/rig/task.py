@@ -27,7 +27,7 @@ class Task(Section):
     step: Metres = 0.3e-3
     step_rotation: Radians = 0.0174532925199433
     goal_depth: Metres = 2.0e-3
-    max_steps: int = Field(500, ge=1)
+    max_steps: int = Field(default=500, ge=1)
     start_cells: tuple[int, int, int] = (8, 8, 6)
     """Half widths of the start's uniform draw in x, y, theta, in steps."""
     clearance: Metres = 5e-3

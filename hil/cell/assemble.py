@@ -1,0 +1,64 @@
+"""The far side's composition root: the only place in the cell that names implementations."""
+
+from hil.cell.arm.controller import ArmController
+from hil.cell.arm.server import UrServer
+from hil.cell.bench import Bench, CanLinks
+from hil.cell.geometry import TaskGeometry
+from hil.cell.link import Link
+from hil.cell.plant.interface import Plant
+from hil.cell.rig import Rig, drawn
+from hil.cell.sensor.gateway import open_gateway
+from hil.cell.sensor.node import SensorNode
+from hil.cell.serve import ServedCell
+from hil.cell.streams import stream
+
+
+def build_plant(rig: Rig, seed: int) -> Plant:
+    """The rig's plant; each physics is imported only where it is asked for."""
+    rng = stream(seed, "plant")
+    if rig.physics.plant == "wall":
+        from hil.cell.plant.wall import WallPlant  # noqa: PLC0415
+
+        return WallPlant(rig, rng)
+    if rig.physics.plant == "analytic":
+        from hil.cell.plant.analytic import AnalyticPlant  # noqa: PLC0415
+
+        return AnalyticPlant(rig, rng)
+    from hil.cell.plant.ffc import FfcPlant  # noqa: PLC0415
+
+    return FfcPlant(rig, rng)
+
+
+def build_bench(rig: Rig, seed: int) -> Bench:
+    """Arm, plant and sensor of a rig, everything random from `seed`; no socket, no bus."""
+    rig = drawn(rig, stream(seed, "randomisation"))
+    connector, can = rig.connector, rig.latency.can
+    return Bench(
+        arm=ArmController(rig.robot, stream(seed, "arm")),
+        plant=build_plant(rig, seed),
+        node=SensorNode(rig.sensor, stream(seed, "sensor")),
+        geometry=TaskGeometry(connector.position, connector.rotation, rig.tool.length),
+        bus=CanLinks(
+            Link(can.to_cell, stream(seed, "can.to_cell")),
+            Link(can.from_cell, stream(seed, "can.from_cell")),
+        ),
+        tool_mass=rig.tool.mass,
+    )
+
+
+def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
+    """The cell with its doors open; raises DoorError, and leaves none open when one fails."""
+    bench = build_bench(rig, seed)
+    gateway = open_gateway(rig.can, across_processes)
+    try:
+        server = _server(rig, bench, seed)
+    except BaseException:
+        gateway.close()
+        raise
+    return ServedCell(bench, server, gateway)
+
+
+def _server(rig: Rig, bench: Bench, seed: int) -> UrServer:
+    return UrServer(
+        bench.arm, rig.robot.ports, rig.robot.host, rig.latency.rtde, stream(seed, "rtde")
+    )

@@ -1,0 +1,58 @@
+"""The only place in the cell that reads a clock: the wall-paced schedule and its lateness."""
+
+from collections.abc import Callable
+from time import monotonic_ns
+from typing import NamedTuple
+
+BIN = 10_000
+BINS = 10_000
+"""Lateness histogram: 10 us bins to 100 ms, so that a soak of days costs no memory."""
+
+
+class Lateness(NamedTuple):
+    """How late periods began, ns; missed: those that began after the next one was due."""
+
+    periods: int
+    missed: int
+    p50: int
+    p99: int
+    max: int
+
+
+class Schedule:
+    """Period k is due at start + k * period; nothing that happens moves that."""
+
+    def __init__(self, period: int, now: Callable[[], int] = monotonic_ns) -> None:
+        self._period, self._now = period, now
+        self._start = now()
+        self._count = 0
+        self._missed = 0
+        self._max = 0
+        self._bins = [0] * (BINS + 1)
+
+    def remaining(self) -> float:
+        """Seconds until the next period is due; 0 or less when it is."""
+        return (self._due() - self._now()) * 1e-9
+
+    def begin(self) -> None:
+        """Note that the next period begins now."""
+        late = max(0, self._now() - self._due())
+        self._count += 1
+        self._missed += late > self._period
+        self._max = max(self._max, late)
+        self._bins[min(late // BIN, BINS)] += 1
+
+    def lateness(self) -> Lateness:
+        """Statistics so far; percentiles are the upper edge of their bin."""
+        return Lateness(self._count, self._missed, self._rank(0.5), self._rank(0.99), self._max)
+
+    def _due(self) -> int:
+        return self._start + (self._count + 1) * self._period
+
+    def _rank(self, share: float) -> int:
+        wanted, seen = share * self._count, 0
+        for index, count in enumerate(self._bins):
+            seen += count
+            if count and seen >= wanted:
+                return min((index + 1) * BIN, self._max)
+        return 0

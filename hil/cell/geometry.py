@@ -1,0 +1,77 @@
+"""Between the arm's flange in its base frame and the plant's stage in the task frame.
+
+The plant's stage has x, y, z and rotation about the task's z. What the arm tilts beyond that is
+carried along kinematically: it shows in the arm's pose, contact does not feel it.
+"""
+
+from math import atan2, cos, sin
+from typing import NamedTuple, TypeAlias
+
+Vector3: TypeAlias = tuple[float, float, float]
+Matrix3: TypeAlias = tuple[Vector3, Vector3, Vector3]
+Stage: TypeAlias = tuple[float, float, float, float]
+
+
+class Pose(NamedTuple):
+    """Position, m, and rotation matrix, row by row, of a body in the base frame."""
+
+    position: Vector3
+    rotation: Matrix3
+
+
+def rotate(matrix: Matrix3, v: Vector3) -> Vector3:
+    a, b, c = matrix
+    return (
+        a[0] * v[0] + a[1] * v[1] + a[2] * v[2],
+        b[0] * v[0] + b[1] * v[1] + b[2] * v[2],
+        c[0] * v[0] + c[1] * v[1] + c[2] * v[2],
+    )
+
+
+def turn(angle: float, matrix: Matrix3) -> Matrix3:
+    """Rz(angle) times matrix."""
+    c, s = cos(angle), sin(angle)
+    first, second, third = matrix
+    return (
+        (c * first[0] - s * second[0], c * first[1] - s * second[1], c * first[2] - s * second[2]),
+        (s * first[0] + c * second[0], s * first[1] + c * second[1], s * first[2] + c * second[2]),
+        third,
+    )
+
+
+class TaskGeometry:
+    """Where the connector stands in the base frame, and how far the tip is from the flange."""
+
+    def __init__(self, connector: Vector3, rotation: float, tool_length: float) -> None:
+        self._origin = connector
+        self._angle = rotation
+        self._cos, self._sin = cos(rotation), sin(rotation)
+        self._length = tool_length
+
+    def stage(self, flange: Pose) -> Stage:
+        """The tip's place in the task frame."""
+        (px, py, pz), rotation = flange
+        length = self._length
+        x = px + length * rotation[0][2] - self._origin[0]
+        y = py + length * rotation[1][2] - self._origin[1]
+        z = pz + length * rotation[2][2] - self._origin[2]
+        theta = atan2(rotation[1][0], rotation[0][0]) - self._angle
+        return self._cos * x + self._sin * y, self._cos * y - self._sin * x, z, theta
+
+    def flange(self, stage: Stage, target: Pose, target_stage: Stage) -> Pose:
+        """The flange that puts the tip at `stage`, tilted as `target` (at target_stage) is."""
+        rotation = turn(stage[3] - target_stage[3], target.rotation)
+        x = self._origin[0] + self._cos * stage[0] - self._sin * stage[1]
+        y = self._origin[1] + self._sin * stage[0] + self._cos * stage[1]
+        z = self._origin[2] + stage[2]
+        length = self._length
+        position = (
+            x - length * rotation[0][2],
+            y - length * rotation[1][2],
+            z - length * rotation[2][2],
+        )
+        return Pose(position, rotation)
+
+    def to_base(self, v: Vector3) -> Vector3:
+        """A free vector of the task frame in the base frame."""
+        return self._cos * v[0] - self._sin * v[1], self._sin * v[0] + self._cos * v[1], v[2]
