@@ -1,0 +1,67 @@
+"""The control box: the state that the control loop, the program and the clients' sessions share."""
+
+from collections import deque
+from typing import Final
+
+from hil.cell.arm.inputs import InputImage
+from hil.cell.arm.jaws import Jaws
+from hil.cell.arm.kinematics import Kinematics
+from hil.cell.arm.measurement import Measurement, Target, Tool
+from hil.cell.arm.modes import Event, Modes
+from hil.cell.arm.ownership import Ownership
+from hil.cell.arm.registers import Registers
+from hil.cell.arm.servo import Servo
+from hil.cell.arm.signals import Signals
+from hil.cell.arm.watchdog import Watchdog
+from hil.cell.rig.robot import Robot
+
+NS: Final = 1_000_000_000
+LOG_LINES: Final = 10_000
+"""The newest lines that a box keeps; a program may write one every cycle."""
+
+
+class ControlBox:
+    """t: controller time, ns. version: of the emulated software. log: (t, text), oldest first."""
+
+    __slots__ = (
+        "inputs", "jaws", "kinematics", "log", "measured", "modes", "ownership", "period",
+        "registers", "robot", "servo", "signals", "t", "target", "tool", "version", "watchdog",
+    )  # fmt: skip
+
+    def __init__(self, robot: Robot) -> None:
+        dt = robot.period / NS
+        self.robot = robot
+        self.period = robot.period
+        self.version = tuple(int(part) for part in robot.version.split("."))
+        self.t = 0
+        self.log: deque[tuple[int, str]] = deque(maxlen=LOG_LINES)
+        self.modes = Modes()
+        self.registers = Registers()
+        self.signals = Signals()
+        self.inputs = InputImage(self.registers, self.signals)
+        self.ownership = Ownership()
+        self.watchdog = Watchdog()
+        self.jaws = Jaws(robot.jaws)
+        self.kinematics = Kinematics(robot.model)
+        self.tool = Tool()
+        self.servo = Servo(robot.home, dt)
+        self.target = Target(self.kinematics.forward(robot.home), self.tool, dt)
+        self.measured = Measurement(robot.home, self.kinematics, self.tool)
+
+    @property
+    def seconds(self) -> float:
+        """Controller time, s; the nearest double to a whole number of nanoseconds."""
+        return self.t / NS
+
+    def say(self, text: str) -> None:
+        """Write a line to the controller's log."""
+        self.log.append((self.t, text))
+
+    def post(self, event: Event) -> bool:
+        """Pass an event to the mode machines now; false when it changed nothing."""
+        return self.modes.post(event, self.t)
+
+    def protective_stop(self, reason: str) -> None:
+        """Stop in a controlled way and end the program, saying why in the log."""
+        if self.post(Event.PROTECTIVE_STOP):
+            self.say(f"protective stop: {reason}")

@@ -1,0 +1,105 @@
+"""One client's socket and session, with what is on its way to the client."""
+
+import socket
+from collections import deque
+from typing import Final, Protocol
+
+from drivers.protocol.errors import WireError
+
+MAX_BACKLOG: Final = 1 << 18
+"""Bytes kept, beyond the kernel's own buffer, for a client that does not read: some 5 s of a
+20-variable recipe at 125 Hz. Then it is cut off, for the control loop never waits."""
+
+RECEIVE: Final = 1 << 16
+
+
+class Session(Protocol):
+    """A sans-IO session of one client."""
+
+    greeting: bytes
+
+    @property
+    def closing(self) -> bool: ...
+    def receive(self, data: bytes, t: int) -> bytes: ...
+    def publish(self, step: int) -> bytes: ...
+    def close(self) -> None: ...
+
+
+class Cut(Exception):  # noqa: N818 - an event, not a fault of the cell
+    """The connection is over; the message says why."""
+
+
+class Connection:
+    """A session, and the bytes that wait for their time (`_travelling`) or the kernel (`_out`)."""
+
+    __slots__ = ("_last_due", "_out", "_travelling", "session", "socket")
+
+    def __init__(self, client: socket.socket, session: Session) -> None:
+        self.socket = client
+        self.session = session
+        self._out = session.greeting
+        self._travelling: deque[tuple[int, bytes]] = deque()
+        self._last_due = 0
+
+    def fileno(self) -> int:
+        return self.socket.fileno()
+
+    def read(self, t: int) -> None:
+        """Take what is readable and queue the replies; raises Cut."""
+        try:
+            data = self.socket.recv(RECEIVE)
+        except BlockingIOError:
+            return
+        except OSError as error:
+            raise Cut(f"lost: {error.strerror}") from None
+        if not data:
+            raise Cut("closed by the client")
+        try:
+            replies = self.session.receive(data, t)
+        except WireError as error:
+            raise Cut(f"cut off: {error}") from None
+        if replies:
+            self._reply(replies)
+        self.send()
+        if self.session.closing:
+            raise Cut("quit")
+
+    def publish(self, data: bytes, due: int) -> None:
+        """Queue a package that leaves at `due`, ns, or with the one before it if that is later."""
+        self._last_due = max(self._last_due, due)
+        self._travelling.append((self._last_due, data))
+
+    @property
+    def next_due(self) -> int | None:
+        """When the oldest travelling package leaves, ns."""
+        return self._travelling[0][0] if self._travelling else None
+
+    def flush(self, t: int) -> None:
+        """Send everything due at t, and what the kernel refused before, in one go; raises Cut."""
+        travelling = self._travelling
+        while travelling and travelling[0][0] <= t:
+            self._out += travelling.popleft()[1]
+        self.send()
+
+    def send(self) -> None:
+        """Hand the kernel what it takes; raises Cut for a client that does not read."""
+        if not self._out:
+            return
+        try:
+            sent = self.socket.send(self._out)
+        except BlockingIOError:
+            sent = 0
+        except OSError as error:
+            raise Cut(f"lost: {error.strerror}") from None
+        self._out = self._out[sent:]
+        if len(self._out) > MAX_BACKLOG:
+            raise Cut(f"cut off: {len(self._out)} bytes unread, allowed are {MAX_BACKLOG}")
+
+    def close(self) -> None:
+        self.session.close()
+        self.socket.close()
+
+    def _reply(self, replies: bytes) -> None:
+        """Set-up takes no bench time; packages already travelling stay ahead of the reply."""
+        self._out += b"".join(data for _, data in self._travelling) + replies
+        self._travelling.clear()

@@ -1,0 +1,111 @@
+"""The arm's control loop: one cycle turns inputs, program and limits into the plant's target."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from hil.cell.arm.box import NS, ControlBox
+from hil.cell.arm.modes import Event
+from hil.cell.arm.pose import Pose, Vector6
+from hil.cell.arm.programs import Programs
+from hil.cell.arm.repeatability import Repeatability
+from hil.cell.arm.safety import Motion, judge
+from hil.cell.arm.script_port import ScriptPort
+from hil.cell.arm.watchdog import Action
+from hil.cell.rig.robot import Robot
+
+
+class ArmTarget(NamedTuple):
+    """What the plant shall follow in this cycle.
+
+    q: joint target, rad. flange: where the flange truly goes in the base frame, the hidden
+    repeatability error included. jaws_closed: the jaws' true position.
+    """
+
+    q: Vector6
+    flange: Pose
+    jaws_closed: bool
+
+
+class ArmController:
+    """An emulated control box with its arm; `frame` and `observe` once a period, in turn."""
+
+    __slots__ = ("_dt", "_repeatability", "box", "port", "programs")
+
+    def __init__(self, robot: Robot, rng: np.random.Generator) -> None:
+        self.box = ControlBox(robot)
+        self.port = ScriptPort(self.box)
+        self.programs = Programs(self.box, self.port)
+        self._dt = robot.period / NS
+        self._repeatability = Repeatability(robot.repeatability, rng)
+
+    def accept(self, values: Mapping[str, object], arrival: int) -> None:
+        """Queue RTDE input values; the first frame with t >= arrival, ns, applies them."""
+        self.box.inputs.accept(values, arrival)
+
+    def upload(self, text: str) -> None:
+        """Replace the program by this unit of URScript; errors go to the log."""
+        self.programs.upload(text)
+
+    def frame(self, t: int) -> ArmTarget:
+        """One control cycle at bench time t, ns."""
+        box = self.box
+        box.t = t
+        box.watchdog.heard(box.inputs.take(t), t)
+        box.modes.advance(t)
+        self._watch(t)
+        self.programs.step()
+        self._move()
+        if box.jaws.drive(box.signals.outputs, t):
+            self._repeatability.redraw()
+        flange = self._repeatability.true(box.target.flange)
+        return ArmTarget(box.servo.q, flange, box.jaws.closed)
+
+    def observe(
+        self, t: int, flange: Pose, twist: Vector6, force: Vector6, part_held: bool
+    ) -> None:
+        """Take the plant's true state at bench time t, ns.
+
+        flange: in the base frame. twist: of the flange, m/s and rad/s, base frame. force: wrench
+        at the TCP, N and N·m, base frame. Raises PlantError for a flange out of reach.
+        """
+        box = self.box
+        box.t = t
+        box.measured.take(t, self._repeatability.reported(flange), twist, force)
+        box.signals.set_input(box.jaws.sensed_input, box.jaws.sense(part_held, t))
+
+    @property
+    def log(self) -> tuple[tuple[int, str], ...]:
+        """The controller's log as (bench time in ns, text), oldest first."""
+        return tuple(self.box.log)
+
+    def _watch(self, t: int) -> None:
+        tripped = self.box.watchdog.tripped(t)
+        if tripped is None:
+            return
+        name, action = tripped
+        if action is Action.STOP:
+            self.box.protective_stop(f"C207A0: fieldbus input disconnected ({name})")
+        elif action is Action.PAUSE and self.box.post(Event.PAUSE):
+            self.box.say(f"program paused: {name} fell silent")
+
+    def _move(self) -> None:
+        """Let the servo follow its set-point, if the brakes are open and the limits allow it."""
+        box, servo = self.box, self.box.servo
+        pending, before = servo.pending, servo.q
+        flange: Pose | None = None
+        if pending is not None and pending != before and not box.modes.moving:
+            servo.refuse()
+        elif pending is not None and pending != before:
+            flange = box.kinematics.forward(pending)
+            tips = box.tool.tip(box.target.flange), box.tool.tip(flange)
+            reason = judge(Motion(before, pending, *tips, self._dt), box.robot.safety)
+            if reason is not None:
+                servo.refuse()
+                box.protective_stop(reason)
+                flange = None
+        servo.advance()
+        if flange is None and servo.q != before:
+            flange = box.kinematics.forward(servo.q)
+        box.target.advance(box.target.flange if flange is None else flange)

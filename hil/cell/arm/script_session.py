@@ -1,0 +1,114 @@
+"""One client of the primary, secondary or real-time port: script text in, cut into units.
+
+Of what those ports send, only the version message exists here; their state streams do not.
+"""
+
+import re
+import struct
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Final
+
+from drivers.protocol.errors import WireError
+from hil.cell.arm.controller import ArmController
+from hil.cell.arm.modes import Event
+
+MAX_UNIT: Final = 1 << 20
+"""Ten times the longest script that a known client uploads."""
+
+_NOISE: Final = re.compile(r'"[^"\n]*"|#.*')
+_OPENS: Final = re.compile(r"\b(?:def|sec|thread|if|while|for)\b")
+_CLOSES: Final = re.compile(r"\bend\b")
+_VERSION_TAIL: Final = struct.Struct(">BBii")
+
+
+class UnitCutter:
+    """Cuts a stream into units: `def ... end`, `sec ... end`, or one line outside of any block."""
+
+    __slots__ = ("_depth", "_lines", "_rest", "_size")
+
+    def __init__(self) -> None:
+        self._rest = b""
+        self._lines: list[str] = []
+        self._depth = 0
+        self._size = 0
+
+    def feed(self, data: bytes) -> list[str]:
+        """The units that `data` completes; WireError when one grows over MAX_UNIT bytes."""
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        units = [unit for line in lines if (unit := self._line(line)) is not None]
+        if self._size + len(self._rest) > MAX_UNIT:
+            raise WireError(f"script of over {MAX_UNIT} bytes without an end")
+        return units
+
+    def _line(self, raw: bytes) -> str | None:
+        line = raw.decode("utf-8", "replace").rstrip("\r")
+        code = _NOISE.sub("", line)
+        if not self._lines and not code.strip():
+            return None
+        self._lines.append(line)
+        self._size += len(raw) + 1
+        self._depth += len(_OPENS.findall(code)) - len(_CLOSES.findall(code))
+        if self._depth > 0:
+            return None
+        unit = "\n".join(self._lines) + "\n"
+        self._lines, self._depth, self._size = [], 0, 0
+        return unit
+
+
+class ScriptSession:
+    """closing: never; a client leaves when it likes, and its program runs on."""
+
+    closing = False
+
+    def __init__(self, arm: ArmController, greeting: bytes) -> None:
+        self.greeting = greeting
+        self._arm = arm
+        self._cutter = UnitCutter()
+
+    def receive(self, data: bytes, t: int) -> bytes:
+        """Run what `data` completes; WireError for a unit without an end."""
+        for unit in self._cutter.feed(data):
+            action = COMMANDS.get(unit.strip())
+            if action is None:
+                self._arm.upload(unit)
+            else:
+                action(self._arm)
+        return b""
+
+    def publish(self, step: int) -> bytes:
+        """Nothing: state streams are not emulated."""
+        return b""
+
+    def close(self) -> None:
+        """Forget a half-sent unit; a running program stays."""
+
+
+def version_message(version: tuple[int, ...]) -> bytes:
+    """What the primary and secondary ports send first (URCL version_message.h)."""
+    major, minor, bugfix, build = version
+    name = b"URControl"
+    body = struct.pack(">QBBB", 0, 254, 3, len(name)) + name
+    body += _VERSION_TAIL.pack(major, minor, bugfix, build) + b"20-06-2022, 10:00:00"
+    return struct.pack(">iB", len(body) + 5, 20) + body
+
+
+def _posts(event: Event) -> Callable[[ArmController], object]:
+    return lambda arm: arm.box.post(event)
+
+
+def _unlock(arm: ArmController) -> None:
+    if arm.box.modes.unlockable(arm.box.t):
+        arm.box.post(Event.UNLOCK)
+
+
+COMMANDS: Final[Mapping[str, Callable[[ArmController], object]]] = MappingProxyType(
+    {
+        "power on": _posts(Event.POWER_ON),
+        "power off": _posts(Event.POWER_OFF),
+        "set robotmode run": _posts(Event.BRAKE_RELEASE),
+        "set unlock protective stop": _unlock,
+        "stop program": lambda arm: arm.programs.stop(),
+    }
+)
+"""Raw lines that UR's client library sends beside programs."""

@@ -1,0 +1,180 @@
+"""The control box's five TCP ports: the only file of the arm that touches a socket's life.
+
+It never blocks but in `poll`, and reads no clock: what arrives in a call of `poll` arrives at the
+bench time that the caller names.
+"""
+
+import selectors
+import socket
+from collections.abc import Callable
+from typing import Final, Self
+
+import numpy as np
+
+from hil.cell.arm.connection import Connection, Cut, Session
+from hil.cell.arm.controller import ArmController
+from hil.cell.arm.dashboard_session import DashboardSession
+from hil.cell.arm.rtde_session import RtdeSession
+from hil.cell.arm.script_session import ScriptSession, version_message
+from hil.cell.errors import DoorError
+from hil.cell.rig.robot import Ports
+from hil.cell.rig.task import Link
+
+DOORS: Final = ("dashboard", "primary", "secondary", "realtime", "rtde")
+BACKLOG: Final = 8
+
+
+class UrServer:
+    """Doors to one arm; `with` opens and closes them. ports: the real ones, once open."""
+
+    def __init__(
+        self, arm: ArmController, ports: Ports, host: str, link: Link, rng: np.random.Generator
+    ) -> None:
+        """link, rng: travel times of RTDE data packages, drawn by direction."""
+        self.ports: dict[str, int] = {}
+        self._arm = arm
+        self._wanted = ports
+        self._host = host
+        self._link = link
+        self._rng = rng
+        self._selector: selectors.BaseSelector | None = None
+        self._listeners: dict[str, socket.socket] = {}
+        self._connections: list[Connection] = []
+        self._rtde: list[tuple[Connection, RtdeSession]] = []
+        self._clients = 0
+        self._commands = 0
+
+    def __enter__(self) -> Self:
+        self.open()
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self.close()
+
+    def open(self) -> None:
+        """Listen on every port; DoorError says which one is taken."""
+        self._selector = selectors.DefaultSelector()
+        try:
+            for door in DOORS:
+                self._listen(door, getattr(self._wanted, door))
+        except DoorError:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Close every connection and every port; may be called again."""
+        for connection in tuple(self._connections):
+            self._drop(connection, "the cell closes")
+        for listener in self._listeners.values():
+            listener.close()
+        self._listeners.clear()
+        if self._selector is not None:
+            self._selector.close()
+            self._selector = None
+
+    def poll(self, t: int, timeout: float | None) -> None:
+        """Accept and read what has come, at bench time t, ns; wait `timeout` s for the first."""
+        assert self._selector is not None, "poll needs open ports"
+        ready = self._selector.select(timeout)
+        accepted = False
+        for key, _ in ready:
+            if isinstance(key.data, Connection):
+                self._guarded(key.data, lambda c: c.read(t))
+            else:
+                accepted |= self._accept(key.data)
+        if accepted:
+            self.poll(t, 0)  # what a new client sent with its connection
+
+    @property
+    def commands(self) -> int:
+        """Valid RTDE data packages since the last `take_commands`."""
+        return self._commands + sum(session.commands for _, session in self._rtde)
+
+    def take_commands(self) -> int:
+        """The count of `commands`, which starts anew."""
+        count, self._commands = self.commands, 0
+        for _, session in self._rtde:
+            session.commands = 0
+        return count
+
+    @property
+    def clients(self) -> int:
+        """Connections on all ports."""
+        return len(self._connections)
+
+    def publish(self, t: int, step: int) -> None:
+        """Build the packages of control step `step`; each leaves after its link's delay."""
+        for connection, session in tuple(self._rtde):
+            if package := session.publish(step):
+                connection.publish(package, t + self._link.from_cell.draw(self._rng))
+
+    @property
+    def next_due(self) -> int | None:
+        """When the next package leaves, ns; None when none is on its way."""
+        return min((d for c, _ in self._rtde if (d := c.next_due) is not None), default=None)
+
+    def flush(self, t: int) -> None:
+        """Send what is due at t, ns: one send for each client."""
+        for connection in tuple(self._connections):
+            self._guarded(connection, lambda c: c.flush(t))
+
+    def _listen(self, door: str, port: int) -> None:
+        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        self._listeners[door] = listener
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            listener.bind((self._host, port))
+            listener.listen(BACKLOG)
+        except OSError as error:
+            raise DoorError(
+                f"{door} port {self._host}:{port} cannot be opened ({error.strerror}); stop what "
+                f"holds it, or set robot.ports.{door} to 0 for a free port"
+            ) from None
+        listener.setblocking(False)
+        self.ports[door] = listener.getsockname()[1]
+        assert self._selector is not None
+        self._selector.register(listener, selectors.EVENT_READ, door)
+
+    def _accept(self, door: str) -> bool:
+        try:
+            client, _ = self._listeners[door].accept()
+        except OSError:  # the client left between knocking and opening
+            return False
+        client.setblocking(False)
+        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self._clients += 1
+        session = self._session(door)
+        connection = Connection(client, session)
+        self._connections.append(connection)
+        if isinstance(session, RtdeSession):
+            self._rtde.append((connection, session))
+        assert self._selector is not None
+        self._selector.register(client, selectors.EVENT_READ, connection)
+        self._guarded(connection, Connection.send)
+        return True
+
+    def _session(self, door: str) -> Session:
+        if door == "rtde":
+            return RtdeSession(self._arm, self._clients, lambda: self._link.to_cell.draw(self._rng))
+        if door == "dashboard":
+            return DashboardSession(self._arm)
+        greeting = b"" if door == "realtime" else version_message(self._arm.box.version)
+        return ScriptSession(self._arm, greeting)
+
+    def _guarded(self, connection: Connection, act: Callable[[Connection], None]) -> None:
+        """Do it; a connection that ends by it is dropped with a line in the log."""
+        try:
+            act(connection)
+        except Cut as cut:
+            self._drop(connection, str(cut))
+
+    def _drop(self, connection: Connection, why: str) -> None:
+        assert self._selector is not None
+        self._selector.unregister(connection.socket)
+        self._connections.remove(connection)
+        for pair in tuple(self._rtde):
+            if pair[0] is connection:
+                self._commands += pair[1].commands
+                self._rtde.remove(pair)
+        connection.close()
+        self._arm.box.say(f"{type(connection.session).__name__}: {why}")
