@@ -105,7 +105,7 @@ IN_USE: Final = "IN_USE"
 class Recipe:
     """Order and types of a data package's values; compiled once, used every period."""
 
-    __slots__ = ("_cut", "_scalar", "_struct", "names", "size", "types")
+    __slots__ = ("_counts", "_cut", "_scalar", "_struct", "names", "size", "types")
 
     def __init__(self, names: Sequence[str], types: Sequence[FieldType]) -> None:
         if len(names) != len(types) or not names:
@@ -113,12 +113,16 @@ class Recipe:
         self.names = tuple(names)
         self.types = tuple(types)
         self._struct = struct.Struct(">" + "".join(f"{t.count}{t.code}" for t in types))
-        self._scalar = all(t.count == 1 for t in types)
+        self._counts = tuple(t.count for t in types)
+        self._scalar = max(self._counts) == 1
         self._cut = _cutting(self.types)
         self.size = self._struct.size
 
     def pack(self, values: Sequence[object]) -> bytes:
-        """The body of a data package, recipe id excluded; ValueError when a value does not fit."""
+        """The body of a data package, recipe id excluded, from numbers and tuples or lists.
+
+        Raises ValueError when a value does not fit.
+        """
         flat = values if self._scalar else self._flatten(values)
         try:
             return self._struct.pack(*flat)
@@ -137,13 +141,13 @@ class Recipe:
         if len(values) != len(self.types):
             raise ValueError(f"{len(values)} values for the {len(self.types)} of the recipe")
         flat: list[object] = []
-        for name, field, value in zip(self.names, self.types, values, strict=True):
-            if field.count == 1:
+        for count, value in zip(self._counts, values, strict=True):
+            if count == 1:
                 flat.append(value)
-            elif isinstance(value, Sequence) and len(value) == field.count:
+            elif isinstance(value, (tuple, list)) and len(value) == count:
                 flat.extend(value)
             else:
-                raise ValueError(f"{name} needs {field.count} numbers, found {value!r}")
+                raise ValueError(f"a vector of {count} numbers is needed, found {value!r}")
         return flat
 
 

@@ -1,0 +1,211 @@
+"""A UR arm behind `drivers.interfaces.Arm`: RTDE set-points to a program that servos the TCP.
+
+One command a package: `connect` leaves a command on the wire, and from then on `read` and a command
+(`servo`, `hold` or `stop`) alternate. On a robot this paces the loop by the controller; an emulated
+cell in lockstep advances one period for each command.
+"""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from math import isfinite
+from types import TracebackType
+from typing import Final, Self
+
+from drivers.errors import DriverError, LinkError, ProtocolError, RobotStateError
+from drivers.interfaces import ArmState, Vector6
+from drivers.ur.bring_up import NS, end_program, power_up, release_stop, start_program
+from drivers.ur.connection import RtdeConnection
+from drivers.ur.dashboard import Dashboard
+from drivers.ur.program import SEQUENCE_MASK, Command, ServoProgram
+from drivers.ur.sample import INPUTS, OUTPUTS, Sample, fault
+from drivers.ur.script_port import ScriptPort
+
+_BARE_FLANGE: Final = ServoProgram()
+_OUTPUT_BITS: Final = 8
+_NEVER: Final = -1  # before any controller time
+_NOWHERE: Final[Vector6] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class UrPorts:
+    """TCP ports of the control box; script is any of 30001 to 30003."""
+
+    rtde: int = 30004
+    dashboard: int = 29999
+    script: int = 30002
+
+
+class UrArm:
+    """One arm at `host`. limit: wall-clock s of silence after which a link counts as dead.
+
+    rate: Hz that the caller was built for, checked against the controller's; None takes that.
+    """
+
+    def __init__(
+        self,
+        host: str,
+        ports: UrPorts = UrPorts(),
+        *,
+        program: ServoProgram = _BARE_FLANGE,
+        rate: int | None = None,
+        limit: float = 5.0,
+    ) -> None:
+        self._rtde = RtdeConnection(host, ports.rtde, OUTPUTS, INPUTS, limit)
+        self._dashboard = Dashboard(host, ports.dashboard, limit)
+        self._script = ScriptPort(host, ports.script, limit)
+        self._program = program
+        self._expected_rate = rate
+        self._rate = rate
+        self._sequence = 0
+        self._awaited = False  # a command is out whose package has not been read
+        self._t = _NEVER
+        self._actual: Vector6 = _NOWHERE
+        self._set_point: Vector6 | None = None
+        self._mask = 0
+        self._outputs = 0
+
+    def __enter__(self) -> Self:
+        self.connect()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    @property
+    def period(self) -> int:
+        """Control period, ns; LinkError while nobody has said which series this is."""
+        if self._rate is None:
+            raise LinkError("the control period is known once connected")
+        return NS // self._rate
+
+    def connect(self) -> ArmState:
+        """Power, brakes, program: to where the arm follows set-points; raises DriverError."""
+        self._drop()
+        return self._bring_up(lambda: None)
+
+    def recover(self) -> ArmState:
+        """Release a protective stop and bring the arm up again; raises DriverError.
+
+        Call it only when a person or supervisor has removed the cause of the stop.
+        """
+        return self._bring_up(lambda: release_stop(self._exchange, self._dashboard))
+
+    def close(self) -> None:
+        """Let the program stop the arm and end; never raises for a dead link."""
+        # A link that dies here is no loss: the program's own watchdog stops the arm.
+        with suppress(DriverError):
+            end_program(self._exchange)
+        self._drop()
+
+    def read(self) -> ArmState:
+        """Block for the next package and return the newest one.
+
+        Raises LinkError, LinkTimeoutError, ProtectiveStopError, RobotStateError.
+        """
+        sample = self._receive()
+        if not sample.follows:
+            self._set_point = None
+            raise self._explained(sample)
+        return sample.state(self._t)
+
+    def servo(self, pose: Vector6) -> Vector6:
+        """Send one TCP set-point; returns the pose sent. Raises ValueError for a non-finite one."""
+        if len(pose) != 6 or not all(map(isfinite, pose)):
+            raise ValueError(f"a set-point is six finite numbers, found {pose}")
+        self._send(Command.SERVO, pose)
+        self._set_point = pose
+        return pose
+
+    def hold(self) -> Vector6:
+        """Repeat the last set-point; without one the arm stands where it is."""
+        if self._set_point is not None:
+            return self.servo(self._set_point)
+        self._send(Command.HOLD, self._actual)
+        return self._actual
+
+    def stop(self) -> None:
+        """Ask for a controlled stop; the next `servo` starts from the actual pose."""
+        self._set_point = None
+        self._send(Command.STOP, self._actual)
+
+    def set_output(self, bit: int, on: bool) -> None:
+        """Set standard digital output 0..7 with the next command, and keep it so."""
+        if not 0 <= bit < _OUTPUT_BITS:
+            raise ValueError(f"standard digital output {bit}, allowed are 0..{_OUTPUT_BITS - 1}")
+        self._mask |= 1 << bit
+        self._outputs = self._outputs & ~(1 << bit) | on << bit
+
+    def _bring_up(self, release: Callable[[], None]) -> ArmState:
+        """From whatever state the robot is in to a running program and one command on the wire."""
+        try:
+            self._script.open()
+            self._open_rtde()
+            release()
+            power_up(self._exchange, self._dashboard)
+            end_program(self._exchange)
+            sample = start_program(self._exchange, self._upload, self._sequence)
+            self._send(Command.HOLD, self._actual)
+        except BaseException:
+            self._drop()
+            raise
+        self._script.close()
+        return sample.state(self._t)
+
+    def _open_rtde(self) -> None:
+        """Connect unless connected, and count on from the sequence an earlier program echoes."""
+        if self._rtde.is_open:
+            return
+        agreement = self._rtde.open()
+        if self._expected_rate not in (None, agreement.rate):
+            raise RobotStateError(
+                f"controller {agreement.version} runs at {agreement.rate} Hz, "
+                f"the caller was built for {self._expected_rate} Hz"
+            )
+        self._rate = agreement.rate
+        self._t, self._awaited, self._set_point = _NEVER, False, None
+        self._sequence = self._exchange(Command.LEAVE).echo & SEQUENCE_MASK
+
+    def _upload(self) -> None:
+        self._script.upload(self._program.text(NS // self.period))
+
+    def _drop(self) -> None:
+        self._script.close()
+        self._dashboard.close()
+        self._rtde.close()
+
+    def _exchange(self, command: Command) -> Sample:
+        """One command and the next package; a package already on its way comes first."""
+        if not self._awaited:
+            self._send(command, self._actual)
+        return self._receive()
+
+    def _send(self, command: Command, pose: Vector6) -> None:
+        self._sequence = (self._sequence + 1) & SEQUENCE_MASK
+        self._rtde.send((command, self._sequence, *pose, self._mask, self._outputs))
+        self._awaited = True
+
+    def _receive(self) -> Sample:
+        sample = Sample._make(self._rtde.read_newest())
+        self._awaited = False
+        try:
+            t = sample.t
+        except (ValueError, OverflowError):
+            raise ProtocolError(f"controller time is {sample.timestamp} s") from None
+        if t < self._t:
+            raise LinkError(f"controller time went back from {self._t} to {t} ns; it restarted")
+        self._t = t
+        self._actual = sample.pose
+        return sample
+
+    def _explained(self, sample: Sample) -> DriverError:
+        """The fault, with what the controller last said as notes."""
+        error = fault(sample)
+        for text in self._rtde.texts:
+            error.add_note(f"controller: {text.message}")
+        return error

@@ -1,0 +1,35 @@
+"""TCP streams to the control box, with errors that say where and what to check."""
+
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from drivers.errors import LinkError, LinkTimeoutError
+
+
+def open_stream(host: str, port: int, service: str, limit: float) -> socket.socket:
+    """A connected stream with `limit` seconds of wall time for every later call."""
+    with link_errors(host, port, service, limit):
+        stream = socket.create_connection((host, port), timeout=limit)
+    stream.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # set-points must not wait
+    return stream
+
+
+@contextmanager
+def link_errors(host: str, port: int, service: str, limit: float) -> Iterator[None]:
+    """Turns the system's errors into LinkError and LinkTimeoutError."""
+    try:
+        yield
+    except OSError as error:
+        raise explain(error, f"{service} at {host}:{port}", limit) from error
+
+
+def explain(error: OSError, peer: str, limit: float) -> LinkError:
+    """The link error behind a system error; `peer` is service and address."""
+    if isinstance(error, TimeoutError):
+        return LinkTimeoutError(f"{peer} said nothing for {limit} s; is the controller running?")
+    if isinstance(error, ConnectionRefusedError):
+        return LinkError(f"{peer} refused; check address, port and that the controller is up")
+    if isinstance(error, ConnectionError):
+        return LinkError(f"{peer} cut the connection")
+    return LinkError(f"{peer} cannot be reached: {error.strerror or error}")
