@@ -1,0 +1,1 @@
+"""Force control and the phases of an assembly, on top of `drivers.interfaces` alone."""

@@ -1,0 +1,1 @@
+"""The assembly task as a Markov decision process, and who solves it."""

@@ -1,0 +1,81 @@
+"""Whole jobs, composed of phases."""
+
+from controller.action import Policy
+from controller.course import Course, Phase
+from controller.force_axis import ForceAxis
+from controller.outcome import Ending, Kind
+from controller.phases.approach import approach, retract
+from controller.phases.contact import Face, contact
+from controller.phases.insert import Inserted, insert
+from controller.phases.pick_up import pick_up, put_down, release
+from controller.phases.search import Found, search
+from controller.phases.tare import tare
+from controller.settings import Plan
+from drivers.interfaces import ForceTorqueSensor, Gripper
+
+
+def assembly(
+    course: Course, plan: Plan, sensor: ForceTorqueSensor, gripper: Gripper, policy: Policy
+) -> Phase[Ending]:
+    """Pick up the part, insert it, leave it there; a part that would not go in is put back."""
+    if not (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
+        return Ending(Kind.NO_GRIP, f"no part sensed within {plan.grip.wait} s of closing the jaws")
+    ending = yield from attempt(course, plan, sensor, policy)
+    if ending.kind is Kind.INSERTED:
+        yield from release(course, gripper, plan.grip)
+    yield from retract(course, plan.travel)
+    if ending.kind is not Kind.INSERTED:
+        yield from put_down(course, gripper, plan.part, plan.grip, plan.travel)
+    return ending
+
+
+def episode(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Policy) -> Phase[Ending]:
+    """One attempt with the part already in the jaws; it is drawn out again at the end."""
+    ending = yield from attempt(course, plan, sensor, policy)
+    yield from retract(course, plan.travel)
+    return ending
+
+
+def attempt(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Policy) -> Phase[Ending]:
+    """Go to the start, touch, search and insert; ends where it ended."""
+    course.steps = 0
+    yield from approach(course, plan.start, plan.travel)
+    if plan.tare_samples:
+        yield from tare(course, sensor, plan.tare_samples)
+    axis = ForceAxis(plan.press, course.period)
+    face = yield from contact(course, axis, plan.press)
+    if face is None:
+        return Ending(Kind.FAULT, "the contact force did not settle on the connector's face")
+    return (yield from _find_and_insert(course, axis, face, plan, policy))
+
+
+def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
+    """Pick up the part and stop above its fixture."""
+    if (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
+        return Ending(Kind.DONE, "part gripped")
+    return Ending(Kind.NO_GRIP, f"no part sensed within {plan.grip.wait} s of closing the jaws")
+
+
+def bring_back(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
+    """Put the part back into its fixture."""
+    yield from put_down(course, gripper, plan.part, plan.grip, plan.travel)
+    return Ending(Kind.DONE, "part put down")
+
+
+def leave(course: Course, plan: Plan) -> Phase[Ending]:
+    """Retract from wherever a stop left the tool; to be run under `Limits` with a wider bound."""
+    yield from retract(course, plan.travel)
+    return Ending(Kind.DONE, "retracted")
+
+
+def _find_and_insert(
+    course: Course, axis: ForceAxis, face: Face, plan: Plan, policy: Policy
+) -> Phase[Ending]:
+    while True:
+        found = yield from search(course, axis, face, policy, plan)
+        if found is Found.LIMIT:
+            return Ending(Kind.LIMIT, f"no insertion within {plan.search.max_steps} steps")
+        if found is Found.GIVEN_UP:
+            return Ending(Kind.LIMIT, f"the policy gave up after {course.steps} steps")
+        if (yield from insert(course, axis, face, plan.insertion)) is Inserted.GOAL:
+            return Ending(Kind.INSERTED, f"goal depth reached after {course.steps} steps")

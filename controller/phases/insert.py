@@ -1,0 +1,40 @@
+"""Sliding into the slot: force along z, no force across it."""
+
+from enum import Enum
+
+from controller.course import Course, Phase
+from controller.force_axis import ForceAxis
+from controller.phases.contact import Face
+from controller.settings import Insertion
+
+
+class Inserted(Enum):
+    """GOAL: the tip is at goal depth. STUCK: it stopped before."""
+
+    GOAL = "goal"
+    STUCK = "stuck"
+
+
+def insert(course: Course, axis: ForceAxis, face: Face, insertion: Insertion) -> Phase[Inserted]:
+    """Press on, give way sideways, until goal depth or no progress."""
+    course.name = "insert"
+    goal = insertion.goal_depth + insertion.overtravel
+    deepest, since = face.depth(course.cycle), course.cycle.t
+    while (course.cycle.t - since) * 1e-9 < insertion.stall:
+        dx, dy = yielding(course, insertion)
+        cycle = yield from course.to(axis.follow(course).moved(dx, dy))
+        depth = face.depth(cycle)
+        if depth >= goal:
+            return Inserted.GOAL
+        if depth > deepest + insertion.progress:
+            deepest, since = depth, cycle.t
+    return Inserted.STUCK
+
+
+def yielding(course: Course, insertion: Insertion) -> tuple[float, float]:
+    """Step of x and y (m) that follows the push of the slot's walls, at a limited speed."""
+    fx, fy = course.cycle.wrench[:2]
+    top = insertion.lateral_speed
+    vx = max(-top, min(top, fx / insertion.lateral_damping))
+    vy = max(-top, min(top, fy / insertion.lateral_damping))
+    return vx * course.period, vy * course.period

@@ -1,0 +1,67 @@
+"""Stepping over the face under constant force until the slot takes the tip."""
+
+from enum import Enum
+
+from controller.action import Action, Policy, observation
+from controller.course import Course, Phase
+from controller.force_axis import ForceAxis
+from controller.phases.contact import Face
+from controller.ramp import ramp, ramp_periods
+from controller.settings import Plan, Press, Search
+
+CALM = 0.032
+"""s: how long force and speed stay in their bands before a step counts as settled."""
+
+
+class Found(Enum):
+    """Why the search ended."""
+
+    SLOT = "slot"
+    LIMIT = "limit"
+    GIVEN_UP = "given up"
+
+
+def search(course: Course, axis: ForceAxis, face: Face, policy: Policy, plan: Plan) -> Phase[Found]:
+    """Ask the policy, step, settle, look; counts on in `course.steps`."""
+    course.name = "search"
+    while course.steps < plan.search.max_steps:
+        action = policy.choose(observation(course.cycle))
+        if action is None:
+            return Found.GIVEN_UP
+        course.steps += 1
+        yield from _step(course, axis, step_of(course, action, plan.search))
+        if (yield from _settle(course, axis, face, plan.search, plan.press)):
+            return Found.SLOT
+    return Found.LIMIT
+
+
+def step_of(course: Course, action: Action, search: Search) -> tuple[float, float, float]:
+    """Change of x, y (m) and theta (rad); nothing when it would lead further out of the box."""
+    sizes = (search.step, search.step, search.step_rotation)
+    here = (course.setpoint.x, course.setpoint.y, course.setpoint.theta)
+    axis, size = action.axis, sizes[action.axis] * action.sign
+    outside = abs(here[axis] + size) > (search.cells[axis] + 0.5) * sizes[axis]
+    if outside and abs(here[axis] + size) > abs(here[axis]):
+        size = 0.0
+    return (size if axis == 0 else 0.0, size if axis == 1 else 0.0, size if axis == 2 else 0.0)
+
+
+def _step(course: Course, axis: ForceAxis, step: tuple[float, float, float]) -> Phase[None]:
+    for dx, dy, dtheta in ramp(*step, ramp_periods(course.period)):
+        yield from course.to(axis.follow(course).moved(dx, dy, 0.0, dtheta))
+
+
+def _settle(
+    course: Course, axis: ForceAxis, face: Face, search: Search, press: Press
+) -> Phase[bool]:
+    """Rest until the force is calm; True as soon as the tip has fallen into the slot."""
+    begin, calm = course.cycle.t, 0.0
+    while (rest := (course.cycle.t - begin) * 1e-9) < search.longest_rest:
+        cycle = yield from course.to(axis.follow(course))
+        if face.depth(cycle) > search.entry:
+            return True
+        near = abs(cycle.wrench[2] - press.force) < search.force_band
+        calm = calm + course.period if near and abs(axis.velocity) < search.speed_band else 0.0
+        if rest >= search.rest and calm >= CALM:
+            return False
+    return False

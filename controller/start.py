@@ -1,0 +1,39 @@
+"""Bringing arm and sensor to where a job can begin; nothing here blocks on the sensor."""
+
+from collections.abc import Callable
+
+from drivers.errors import NotReadyError
+from drivers.interfaces import Arm, ArmState, ForceTorqueSensor
+
+PATIENCE = 10.0
+"""s of arm time for the sensor to boot, and again to be zeroed."""
+
+
+def bring_up(arm: Arm, sensor: ForceTorqueSensor, tare_samples: int = 1000) -> ArmState:
+    """Connect both, start the sensor, zero it in free air; leaves one command in flight.
+
+    The arm holds its pose meanwhile. Raises DriverError as the drivers do, and NotReadyError when
+    the sensor does not follow within the limit.
+    """
+    sensor.connect()
+    arm.connect()
+    sensor.start()
+    _hold_until(arm, sensor, lambda: sensor.ready, "samples")
+    sensor.begin_tare(tare_samples)
+    return _hold_until(arm, sensor, lambda: not sensor.tare_pending, "tare")
+
+
+def _hold_until(
+    arm: Arm, sensor: ForceTorqueSensor, done: Callable[[], bool], what: str
+) -> ArmState:
+    """Read, poll and hold in turn: an arm in lockstep moves on only when it is told something."""
+    deadline: int | None = None
+    while True:
+        state = arm.read()
+        sensor.poll(state.t)
+        arm.hold()
+        if done():
+            return state
+        deadline = deadline or state.t + round(PATIENCE * 1e9)
+        if state.t > deadline:
+            raise NotReadyError(f"the sensor gave no {what} within {PATIENCE} s of arm time")

@@ -1,0 +1,232 @@
+"""In-memory arm, sensor and gripper around one small world; time moves when the arm is told so."""
+
+from math import cos, exp, pi, sin
+
+from controller.frames import TaskFrame
+from controller.place import Place
+from drivers.errors import NotReadyError
+from drivers.interfaces import (
+    ArmState,
+    Freshness,
+    RobotMode,
+    SafetyMode,
+    SensorHealth,
+    Vector6,
+    WrenchReading,
+)
+
+MS = 1_000_000
+FRAME = TaskFrame((0.45, -0.1, 0.05), 0.3)
+OMEGA = 2 * pi * 22.0
+
+
+class SpringWorld:
+    """A stage with the arm's lag, a spring face at z = 0 and a slot in it, stepped at 1 ms.
+
+    slot: x, y of the tip at which it falls in (m), None for a closed face. The slot's walls push
+    back with 5 N/mm, its floor is 2.5 mm deep.
+    """
+
+    def __init__(self, stiffness=16.5e3, slot=None, part=None, at=(0.0, 0.0, 0.02, 0.0)):
+        self.stiffness = stiffness
+        self.slot = slot
+        self.part = part
+        self.stage = list(at)
+        self.velocity = [0.0] * 4
+        self.jaws_closed = False
+        self.holding = False
+        self.inside = False
+        self.extra = (0.0,) * 6
+
+    def step(self, target, jaws_closed, duration):
+        """Wrenches in the sensor frame, one a millisecond."""
+        self._jaws(jaws_closed)
+        wrenches = []
+        for _ in range(duration // MS):
+            self._lag(target)
+            wrenches.append(self._wrench())
+        return wrenches
+
+    def _jaws(self, closed):
+        if closed and not self.jaws_closed:
+            near = self.part and all(
+                abs(a - b) < 2e-3 for a, b in zip(self.stage[:3], self.part[:3], strict=True)
+            )
+            self.holding = bool(near)
+        self.holding = self.holding and closed
+        self.jaws_closed = closed
+
+    def _lag(self, target):
+        """Critically damped second order, exact over 1 ms."""
+        decay = exp(-OMEGA * 1e-3)
+        for i in range(4):
+            e, v = self.stage[i] - target[i], self.velocity[i]
+            slope = v + OMEGA * e
+            self.stage[i] = target[i] + (e + slope * 1e-3) * decay
+            self.velocity[i] = (v - OMEGA * slope * 1e-3) * decay
+
+    def _push(self):
+        x, y, z, _ = self.stage
+        at_slot = self.slot is not None and (
+            abs(x - self.slot[0]) < 0.25e-3 and abs(y - self.slot[1]) < 0.25e-3
+        )
+        if z >= 0.0:
+            self.inside = False
+            return 0.0, 0.0, 0.0
+        self.inside = self.inside or at_slot
+        if self.inside:
+            floor = self.stiffness * max(0.0, -2.5e-3 - z)
+            return -5e3 * (x - self.slot[0]), -5e3 * (y - self.slot[1]), floor
+        return 0.0, 0.0, -self.stiffness * z
+
+    def _wrench(self):
+        fx, fy, fz = self._push()
+        theta = self.stage[3]
+        c, s = cos(theta), sin(theta)
+        pushed = (c * fx + s * fy, s * fx - c * fy, -fz, 0.0, 0.0, 0.0)
+        return tuple(a + b for a, b in zip(pushed, self.extra, strict=True))
+
+
+class FakeArm:
+    """Steps the world by one period at each command; `faults[n]` is raised by the n-th read."""
+
+    def __init__(self, world, rate=125):
+        self.world = world
+        self.period = 1_000_000_000 // rate
+        self.t = 0
+        self.faults = {}
+        self.skips = {}
+        self.reads = 0
+        self.stops = 0
+        self.sent = []
+        self.outputs = 0
+        self.wrenches = []
+        self._target = Place(*world.stage)
+        self._in_flight = False
+
+    def connect(self) -> ArmState:
+        self.hold()
+        return self._state()
+
+    def close(self) -> None:
+        pass
+
+    def read(self) -> ArmState:
+        assert self._in_flight, "read without a command in flight: a lockstep cell would hang"
+        self._in_flight = False
+        self.reads += 1
+        if self.reads in self.faults:
+            raise self.faults[self.reads]
+        return self._state()
+
+    def servo(self, pose: Vector6) -> Vector6:
+        self._target = FRAME.from_base(pose)
+        self.sent.append(self._target)
+        self._advance()
+        return pose
+
+    def hold(self) -> Vector6:
+        self._advance()
+        return FRAME.to_base(self._target)
+
+    def stop(self) -> None:
+        self.stops += 1
+        self._target = Place(*self.world.stage)
+        self._advance()
+
+    def set_output(self, bit: int, on: bool) -> None:
+        self.outputs = self.outputs & ~(1 << bit) | on << bit
+
+    def _advance(self):
+        self._in_flight = True
+        for _ in range(1 + self.skips.get(len(self.sent), 0)):
+            self.t += self.period
+            self.wrenches += self.world.step(self._target, bool(self.outputs & 1), self.period)
+
+    def _state(self):
+        zero = (0.0,) * 6
+        pose = FRAME.to_base(Place(*self.world.stage))
+        return ArmState(
+            self.t,
+            zero,
+            pose,
+            FRAME.to_base(self._target),
+            (*self.world.velocity[:3], 0.0, 0.0, self.world.velocity[3]),
+            RobotMode.RUNNING,
+            SafetyMode.NORMAL,
+            True,
+            int(self.world.holding),
+            self.outputs,
+        )
+
+
+class FakeSensor:
+    """Gives what the world felt since the last read; `faults[n]` is raised by the n-th read."""
+
+    def __init__(self, arm, boot=0):
+        self.arm = arm
+        self.boot = boot
+        self.faults = {}
+        self.reads = 0
+        self.tares = 0
+        self._last = (0.0,) * 6
+        self._counter = 0
+        self._tare_left = 0
+
+    def connect(self) -> None:
+        pass
+
+    def close(self) -> None:
+        pass
+
+    def start(self) -> None:
+        pass
+
+    @property
+    def ready(self) -> bool:
+        return self.arm.t >= self.boot
+
+    def poll(self, t: int) -> None:
+        self._tare_left = max(0, self._tare_left - 1)
+
+    def read(self, t: int) -> WrenchReading:
+        self.poll(t)
+        self.reads += 1
+        if self.reads in self.faults:
+            raise self.faults[self.reads]
+        samples, self.arm.wrenches = tuple(self.arm.wrenches), []
+        self._counter += len(samples)
+        if samples:
+            self._last = samples[-1]
+        elif not self._counter:
+            raise NotReadyError("no sample yet")
+        freshness = Freshness.OK if samples else Freshness.HELD
+        return WrenchReading(self._last, samples, self._counter, 0, freshness, True)
+
+    def begin_tare(self, samples: int) -> None:
+        self.tares += 1
+        self._tare_left = 10
+
+    @property
+    def tare_pending(self) -> bool:
+        return self._tare_left > 0
+
+    @property
+    def health(self) -> SensorHealth:
+        return SensorHealth(self._counter, 0, 0, 0, 0, 0, True, "")
+
+
+class FakeGripper:
+    """Digital output 0 closes, digital input 0 says that something is held."""
+
+    def __init__(self, arm):
+        self._arm = arm
+
+    def open(self) -> None:
+        self._arm.set_output(0, False)
+
+    def close(self) -> None:
+        self._arm.set_output(0, True)
+
+    def holds(self, state: ArmState) -> bool:
+        return bool(state.inputs & 1)
