@@ -42,7 +42,8 @@ def build_bench(rig: Rig, seed: int) -> Bench:
             Link(can.to_cell, stream(seed, "can.to_cell")),
             Link(can.from_cell, stream(seed, "can.from_cell")),
         ),
-        tool_mass=rig.tool.mass,
+        tool=rig.tool,
+        period=rig.robot.period,
     )
 
 
@@ -50,15 +51,11 @@ def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
     """The cell with its doors open; raises DoorError, and leaves none open when one fails."""
     bench = build_bench(rig, seed)
     gateway = open_gateway(rig.can, across_processes)
+    robot = rig.robot
+    server = UrServer(bench.arm, robot.ports, robot.host, rig.latency.rtde, stream(seed, "rtde"))
     try:
-        server = _server(rig, bench, seed)
+        server.open()
     except BaseException:
         gateway.close()
         raise
-    return ServedCell(bench, server, gateway)
-
-
-def _server(rig: Rig, bench: Bench, seed: int) -> UrServer:
-    return UrServer(
-        bench.arm, rig.robot.ports, rig.robot.host, rig.latency.rtde, stream(seed, "rtde")
-    )
+    return ServedCell(bench, server, gateway, robot.host)

@@ -8,20 +8,14 @@ from typing import NamedTuple
 
 from drivers.protocol.frame import CanFrame
 from hil.cell.arm.controller import ArmController
-from hil.cell.geometry import Stage, TaskGeometry, Vector3, rotate
+from hil.cell.arm.pose import Pose, Rotation, Vector6, turn
+from hil.cell.geometry import Stage, TaskGeometry
 from hil.cell.link import Link
 from hil.cell.plant.interface import Plant, PlantStep, StageTarget
+from hil.cell.rig.parts import Tool
 from hil.cell.sensor.node import SensorNode
 
 G = 9.81
-
-
-class Tick(NamedTuple):
-    """One period: its end in bench time, the CAN frames that left by then, and the truth."""
-
-    t: int
-    frames: list[CanFrame]
-    truth: PlantStep
 
 
 class CanLinks(NamedTuple):
@@ -32,7 +26,10 @@ class CanLinks(NamedTuple):
 
 
 class Bench:
-    """Arm, plant and sensor node joined; whoever owns it decides when a period passes."""
+    """Arm, plant and sensor node joined; whoever owns it decides when a period passes.
+
+    t: bench time, ns. truth: the plant at t, for recordings and tests, never for the wire.
+    """
 
     def __init__(
         self,
@@ -41,42 +38,54 @@ class Bench:
         plant: Plant,
         node: SensorNode,
         geometry: TaskGeometry,
+        tool: Tool,
         bus: CanLinks,
-        tool_mass: float,
+        period: int,
     ) -> None:
         self.arm, self._plant, self._node, self._geometry = arm, plant, node, geometry
+        self._weight, self._length = tool.mass * G, tool.length
         self._can_in, self._can_out = bus
-        self._weight = tool_mass * G
+        self.period = period
         self.t = 0
-        self.truth = plant.reset(StageTarget(*geometry.stage(arm.flange_target), False))
+        stage = geometry.stage(arm.box.target.flange)
+        self.truth = plant.reset(StageTarget(*stage, jaws_closed=False))
 
-    def receive(self, frames: list[CanFrame]) -> None:
-        """Put what the host wrote on the bus on its way to the node."""
+    def tick(self) -> PlantStep:
+        """One control period: the arm decides, physics moves, the sensor speaks."""
+        target = self.arm.frame(self.t)
+        stage = self._geometry.stage(target.flange)
+        self.truth = self._plant.step(StageTarget(*stage, target.jaws_closed), self.period)
+        self.t += self.period
+        for arrival, frame in self._can_in.due(self.t):
+            self._node.receive(frame, arrival)
+        self._can_out.extend(self._node.advance(self.t, self.truth.wrenches))
+        flange = self._geometry.flange(self.truth.stage, target.flange, stage)
+        self._feel(flange)
+        return self.truth
+
+    def put_on_bus(self, frames: list[CanFrame]) -> None:
+        """Take what the host wrote on the bus; it is on its way to the node from now on."""
         for frame in frames:
             self._can_in.push(self.t, frame)
 
-    def tick(self) -> Tick:
-        """One control period: 1. the arm decides, 2. physics moves, 3. the sensor speaks."""
-        target = self.arm.frame(self.t)
-        stage = self._geometry.stage(target.flange)
-        self.truth = self._plant.step(StageTarget(*stage, target.jaws_closed), self.arm.period)
-        self.t += self.arm.period
-        for frame in self._can_in.due(self.t):
-            self._node.receive(frame, self.t)
-        self._can_out.extend(self._node.advance(self.t, self.truth.wrenches))
-        flange = self._geometry.flange(self.truth.stage, target.flange, stage)
-        held = self.truth.part.name is not None
-        self.arm.observe(self.t, flange, self._twist(self.truth.velocity), self._force(), held)
-        return Tick(self.t, self._can_out.due(self.t), self.truth)
+    def take_from_bus(self, t: int) -> list[tuple[int, CanFrame]]:
+        """The node's frames that have reached the host by t, ns, with their arrival."""
+        return self._can_out.due(t)
 
-    def _twist(self, velocity: Stage) -> tuple[float, float, float, float, float, float]:
+    def _feel(self, flange: Pose) -> None:
+        """Show the arm where it is, how fast, what pushes it, and whether the jaws hold a part."""
+        truth = self.truth
+        held = truth.part.name is not None
+        force = self._force(truth.wrenches[-1].tolist(), flange.rotation)
+        self.arm.observe(self.t, flange, self._twist(truth.velocity), force, held)
+
+    def _twist(self, velocity: Stage) -> Vector6:
         x, y, z = self._geometry.to_base(velocity[:3])
         return x, y, z, 0.0, 0.0, velocity[3]
 
-    def _force(self) -> tuple[float, float, float, float, float, float]:
-        """What the environment does to the tool at the flange, base frame: weight is payload."""
-        fx, fy, fz, tx, ty, tz = self.truth.wrenches[-1].tolist()
-        rotation = self.arm.flange_target.rotation
-        force: Vector3 = rotate(rotation, (fx, fy, fz))
-        torque: Vector3 = rotate(rotation, (tx, ty, tz))
-        return force[0], force[1], force[2] + self._weight, *torque
+    def _force(self, wrench: list[float], rotation: Rotation) -> Vector6:
+        """What the environment does at the TCP, base frame: the tool's weight is known payload."""
+        fx, fy, fz, tx, ty, tz = wrench
+        x, y, z = turn(rotation, (fx, fy, fz))
+        lever = (tx + self._length * fy, ty - self._length * fx, tz)
+        return x, y, z + self._weight, *turn(rotation, lever)

@@ -30,9 +30,9 @@ class Schedule:
         self._max = 0
         self._bins = [0] * (BINS + 1)
 
-    def remaining(self) -> float:
-        """Seconds until the next period is due; 0 or less when it is."""
-        return (self._due() - self._now()) * 1e-9
+    def remaining(self) -> int:
+        """Nanoseconds until the next period is due; 0 or less when it is."""
+        return self._due() - self._now()
 
     def begin(self) -> None:
         """Note that the next period begins now."""

@@ -5,30 +5,14 @@ carried along kinematically: it shows in the arm's pose, contact does not feel i
 """
 
 from math import atan2, cos, sin
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
-Vector3: TypeAlias = tuple[float, float, float]
-Matrix3: TypeAlias = tuple[Vector3, Vector3, Vector3]
+from hil.cell.arm.pose import Pose, Rotation, Vector3
+
 Stage: TypeAlias = tuple[float, float, float, float]
 
 
-class Pose(NamedTuple):
-    """Position, m, and rotation matrix, row by row, of a body in the base frame."""
-
-    position: Vector3
-    rotation: Matrix3
-
-
-def rotate(matrix: Matrix3, v: Vector3) -> Vector3:
-    a, b, c = matrix
-    return (
-        a[0] * v[0] + a[1] * v[1] + a[2] * v[2],
-        b[0] * v[0] + b[1] * v[1] + b[2] * v[2],
-        c[0] * v[0] + c[1] * v[1] + c[2] * v[2],
-    )
-
-
-def turn(angle: float, matrix: Matrix3) -> Matrix3:
+def turn_about_z(angle: float, matrix: Rotation) -> Rotation:
     """Rz(angle) times matrix."""
     c, s = cos(angle), sin(angle)
     first, second, third = matrix
@@ -60,7 +44,7 @@ class TaskGeometry:
 
     def flange(self, stage: Stage, target: Pose, target_stage: Stage) -> Pose:
         """The flange that puts the tip at `stage`, tilted as `target` (at target_stage) is."""
-        rotation = turn(stage[3] - target_stage[3], target.rotation)
+        rotation = turn_about_z(stage[3] - target_stage[3], target.rotation)
         x = self._origin[0] + self._cos * stage[0] - self._sin * stage[1]
         y = self._origin[1] + self._sin * stage[0] + self._cos * stage[1]
         z = self._origin[2] + stage[2]

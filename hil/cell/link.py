@@ -30,11 +30,11 @@ class Link(Generic[T]):
         for sent, message in messages:
             self.push(sent, message)
 
-    def due(self, t: int) -> list[T]:
-        """Everything that has arrived by t, in order."""
+    def due(self, t: int) -> list[tuple[int, T]]:
+        """Everything that has arrived by t, in order, with the time of its arrival."""
         out = []
         while self._queue and self._queue[0][0] <= t:
-            out.append(self._queue.popleft()[1])
+            out.append(self._queue.popleft())
         return out
 
 

@@ -1,15 +1,15 @@
 """The cell with its doors open: TCP and CAN outside, the bench inside, paced by a clock."""
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
+from drivers.protocol.frame import CanFrame
 from hil.cell.arm.server import UrServer
-from hil.cell.bench import Bench, Tick
+from hil.cell.bench import Bench
 from hil.cell.clock import Schedule
+from hil.cell.plant.interface import PlantStep
 from hil.cell.sensor.gateway import BusAddress, Gateway
 
-Observer = Callable[[Tick], None]
-Stopped = Callable[[], bool]
 WAKE = 0.05
 """How long, in wall seconds, a wait for commands lasts before the stop flag is looked at."""
 
@@ -22,58 +22,98 @@ class Doors(NamedTuple):
     can: BusAddress
 
 
+class Tick(NamedTuple):
+    """One period as it left the cell: its end in bench time, ns, the bus traffic, the truth."""
+
+    t: int
+    frames: list[tuple[int, CanFrame]]
+    truth: PlantStep
+
+
+Observer = Callable[[Tick], None]
+Stopped = Callable[[], bool]
+
+
 class ServedCell:
     """Owns sockets and bus; `lockstep` or `wall` runs it in the caller's thread until stopped."""
 
-    def __init__(self, bench: Bench, server: UrServer, gateway: Gateway) -> None:
+    def __init__(self, bench: Bench, server: UrServer, gateway: Gateway, host: str) -> None:
         self.bench, self._server, self._gateway = bench, server, gateway
+        self._host = host
         self._step = 0
 
     @property
     def doors(self) -> Doors:
-        return Doors(self._server.host, self._server.ports, self._gateway.address)
+        return Doors(self._host, self._server.ports, self._gateway.address)
 
     def describe(self) -> str:
         """One line for people: which bus was taken."""
         return self._gateway.describe()
 
     def lockstep(self, stopped: Stopped, observe: Observer) -> None:
-        """One period for each command of the client that holds the input recipe, no sleep.
+        """One period for each command of a client that writes inputs, no sleep.
 
-        What arrived before the command on any other door is handled before its period.
+        What arrived on any door before the command is handled before its period. A period whose
+        package is still on its way when it ends needs no command: nobody could answer yet.
         """
+        edge = self.bench.t
         while not stopped():
-            self._server.poll(self.bench.t, WAKE)
-            if self._server.take_commands():
-                self._server.poll(self.bench.t, 0.0)
-                self._server.take_commands()
-                self._period(observe)
+            self._server.poll(edge, WAKE)
+            if not self._server.take_commands():
+                continue
+            self._server.poll(edge, 0.0)
+            self._server.take_commands()
+            edge = self._until_answerable(observe)
+
+    def _until_answerable(self, observe: Observer) -> int:
+        """Tick until a package reaches a client; the bench time at which it does, ns."""
+        while True:
+            self._tick()
+            t = self.bench.t
+            due = self._server.next_due
+            answerable = due is None or due < t + self.bench.period
+            edge = t if due is None or not answerable else max(t, due)
+            self._send(edge, observe)
+            if answerable:
+                return edge
 
     def wall(self, stopped: Stopped, observe: Observer, schedule: Schedule) -> None:
         """Periods by the monotonic clock; a late one is counted and made up for, never dropped."""
         while not stopped():
-            while (remaining := schedule.remaining()) > 0.0:
-                self._server.poll(self.bench.t, min(remaining, WAKE))
+            self._wait(schedule)
             schedule.begin()
             self._server.poll(self.bench.t, 0.0)
-            self._server.take_commands()
-            self._period(observe)
+            self._tick()
+            self._send(self.bench.t, observe)
 
-    def _period(self, observe: Observer) -> None:
-        """CAN goes out before RTDE, so the RTDE package is the edge of the period."""
-        self.bench.receive(self._gateway.receive())
-        tick = self.bench.tick()
-        self._gateway.send(tick.frames)
+    def _wait(self, schedule: Schedule) -> None:
+        """Serve the doors until the next period is due; packages leave when their delay is over."""
+        while (remaining := schedule.remaining()) > 0:
+            now = self.bench.t + self.bench.period - remaining
+            self._server.flush(now)
+            due = self._server.next_due
+            pause = remaining if due is None else min(remaining, max(0, due - now))
+            self._server.poll(now, min(pause * 1e-9, WAKE))
+        self._server.take_commands()
+
+    def _tick(self) -> None:
+        self.bench.put_on_bus(self._gateway.receive())
+        self.bench.tick()
         self._step += 1
-        self._server.publish(tick.t, self._step)
-        self._server.flush(tick.t)
-        observe(tick)
+        self._server.publish(self.bench.t, self._step)
+
+    def _send(self, edge: int, observe: Observer) -> None:
+        """CAN goes out before RTDE, so the RTDE package is the edge of the period."""
+        frames = self.bench.take_from_bus(edge)
+        self._gateway.send([frame for _, frame in frames])
+        self._server.flush(edge)
+        observe(Tick(self.bench.t, frames, self.bench.truth))
 
     def close(self) -> None:
         self._server.close()
         self._gateway.close()
 
-    def __enter__(self) -> "ServedCell":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -1,0 +1,1 @@
+"""Composition root of both sides: a served cell, drivers connected to it, a job, a recording."""

@@ -1,0 +1,79 @@
+"""The cell in a thread of this process."""
+
+from collections import deque
+from threading import Event, Thread
+from typing import Self
+
+from hil.app.cell import CellReport
+from hil.app.pacing import pace
+from hil.app.tap import Entry, entries
+from hil.cell.plant.interface import PlantStep
+from hil.cell.rig import Rig
+from hil.cell.serve import Doors, ServedCell, Tick
+
+
+class InlineCell:
+    """Owns a served cell and its thread; construction opens the doors, `with` starts the clock."""
+
+    def __init__(self, rig: Rig, seed: int, clock: str, *, record: bool = True) -> None:
+        from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
+
+        self._cell: ServedCell = serve(rig, seed, across_processes=False)
+        self._clock = clock
+        self._record = record
+        self._entries: deque[Entry] = deque()
+        self._stopped = Event()
+        self._failure: BaseException | None = None
+        self._report: CellReport | None = None
+        self._thread = Thread(target=self._run, name="cell")
+
+    @property
+    def doors(self) -> Doors:
+        return self._cell.doors
+
+    @property
+    def description(self) -> str:
+        return f"cell in this process, {self._cell.describe()}"
+
+    def truth(self) -> PlantStep:
+        """The plant at the end of the last period."""
+        return self._cell.bench.truth
+
+    def take(self) -> list[Entry]:
+        """Records made since the last call, oldest first."""
+        return [self._entries.popleft() for _ in range(len(self._entries))]
+
+    def stop(self) -> CellReport:
+        """Stop and close every door; raises what the cell died of, if it did."""
+        self._stopped.set()
+        if self._thread.ident is not None:
+            self._thread.join()
+        self._cell.close()
+        if self._failure is not None:
+            raise self._failure
+        return self._report or CellReport(0, None, ())
+
+    def _run(self) -> None:
+        observe = self._keep if self._record else _ignore
+        try:
+            self._report = pace(self._cell, self._clock, self._stopped.is_set, observe)
+        except BaseException as error:
+            self._failure = error
+            self._cell.close()  # so that whoever waits on a wire learns of it
+
+    def _keep(self, tick: Tick) -> None:
+        self._entries.extend(entries(tick))
+
+    def __enter__(self) -> Self:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stopped.set()
+        if self._thread.ident is not None:
+            self._thread.join()
+        self._cell.close()
+
+
+def _ignore(_: Tick) -> None:
+    """Nothing is recorded."""

@@ -1,0 +1,16 @@
+"""Runs a served cell by the clock that was asked for."""
+
+from hil.app.cell import CellReport
+from hil.cell.clock import Schedule
+from hil.cell.serve import Observer, ServedCell, Stopped
+
+
+def pace(cell: ServedCell, clock: str, stopped: Stopped, observe: Observer) -> CellReport:
+    """Serve until stopped; clock is `lockstep` or `wall`."""
+    schedule = Schedule(cell.bench.period) if clock == "wall" else None
+    if schedule is None:
+        cell.lockstep(stopped, observe)
+    else:
+        cell.wall(stopped, observe, schedule)
+    lateness = None if schedule is None else schedule.lateness()
+    return CellReport(cell.bench.t // cell.bench.period, lateness, cell.bench.arm.log)
