@@ -9,6 +9,7 @@ import pickle
 import signal
 import sys
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import BinaryIO
 
 import orjson
@@ -61,7 +62,8 @@ def main() -> None:
             report = Report(write(sys.stdin.buffer, target), "")
     except OSError as error:
         report = Report("", error.strerror or str(error))
-    sys.stdout.buffer.write(orjson.dumps(report._asdict()))
+    with suppress(BrokenPipeError):  # the recorder was killed and nobody listens
+        os.write(sys.stdout.fileno(), orjson.dumps(report._asdict()))
 
 
 if __name__ == "__main__":
