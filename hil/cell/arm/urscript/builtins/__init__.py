@@ -1,0 +1,54 @@
+"""The builtin functions, by topic: every public method of a topic is a builtin of that name.
+
+A builtin exists when it can act on the robot through its port; any other name is refused when
+the program is compiled, as the controller does.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from inspect import Parameter, Signature, isgeneratorfunction, signature
+from typing import Final
+
+from hil.cell.arm.port import RobotPort
+from hil.cell.arm.urscript.builtins.configuration import Configuration
+from hil.cell.arm.urscript.builtins.kinematics import Kinematics
+from hil.cell.arm.urscript.builtins.maths import Maths
+from hil.cell.arm.urscript.builtins.motion import Motion
+from hil.cell.arm.urscript.builtins.poses import Poses
+from hil.cell.arm.urscript.builtins.queries import Queries
+from hil.cell.arm.urscript.builtins.registers import Registers
+from hil.cell.arm.urscript.builtins.speed import Speed
+from hil.cell.arm.urscript.builtins.strings import Strings
+from hil.cell.arm.urscript.builtins.timing import Timing
+from hil.cell.arm.urscript.symbols import Builtin, builtin
+
+_TOPICS: Final = (
+    Configuration, Kinematics, Maths, Motion, Poses, Queries, Registers, Speed, Strings, Timing,
+)  # fmt: skip
+
+
+def _names(topic: type) -> list[str]:
+    return [name for name in vars(topic) if not name.startswith("_")]
+
+
+@cache
+def builtins() -> Mapping[str, Builtin]:
+    """Every builtin by its URScript name."""
+    return {
+        name: _described(name, getattr(topic, name)) for topic in _TOPICS for name in _names(topic)
+    }
+
+
+def _described(name: str, function: Callable[..., object]) -> Builtin:
+    parameters = [p for p in signature(function).parameters.values() if p.name != "self"]
+    assert all(p.kind is Parameter.POSITIONAL_OR_KEYWORD for p in parameters)
+    return Builtin(builtin(name), Signature(parameters), isgeneratorfunction(function))
+
+
+def bind(port: RobotPort, claim: Callable[[], None]) -> dict[str, object]:
+    """Every builtin by its compiled name, acting on `port`; `claim` takes the robot for a cycle."""
+    topics: tuple[object, ...] = (
+        Configuration(port), Kinematics(port), Maths(), Motion(port, claim), Poses(),
+        Queries(port), Registers(port), Speed(port, claim), Strings(), Timing(port),
+    )  # fmt: skip
+    return {builtin(name): getattr(topic, name) for topic in topics for name in _names(type(topic))}

@@ -1,0 +1,110 @@
+"""An in-memory robot: it stands where its last set-point was, with the TCP at the joint values."""
+
+from collections.abc import Sequence
+
+Vector6 = tuple[float, float, float, float, float, float]
+ZERO6: Vector6 = (0.0,) * 6
+
+
+class FakePort:
+    """Kinematics are the identity: pose == joints, so straight lines can be checked by eye."""
+
+    def __init__(self, period: int = 8_000_000) -> None:
+        self.period = period
+        self.t = 0
+        self.q = ZERO6
+        self.qd = ZERO6
+        self.inputs: dict[int, int] = {}
+        self.float_inputs: dict[int, float] = {}
+        self.outputs: dict[int, int | float | bool] = {}
+        self.digital: dict[int, bool] = {}
+        self.messages: list[str] = []
+        self.setpoints: list[Vector6 | None] = []
+        self.watched: list[tuple[str, float, str]] = []
+        self.stops: list[str] = []
+        self.tcp = ZERO6
+        self.payload: tuple[float, tuple[float, float, float]] | None = None
+        self._next: Vector6 | None = None
+
+    def end_cycle(self) -> None:
+        self.setpoints.append(self._next)
+        after = self._next or self.q
+        rate = 1e9 / self.period
+        self.qd = tuple((b - a) * rate for a, b in zip(self.q, after, strict=True))
+        self.q = after
+        self._next = None
+        self.t += self.period
+
+    def input_integer(self, index: int) -> int:
+        return self.inputs.get(index, 0)
+
+    def input_float(self, index: int) -> float:
+        return self.float_inputs.get(index, 0.0)
+
+    def input_boolean(self, index: int) -> bool:
+        return bool(self.inputs.get(index, 0))
+
+    def output_integer(self, index: int, value: int) -> None:
+        self.outputs[index] = value
+
+    def output_float(self, index: int, value: float) -> None:
+        self.outputs[index] = value
+
+    def output_boolean(self, index: int, value: bool) -> None:
+        self.outputs[index] = value
+
+    def digital_input(self, bit: int) -> bool:
+        return self.digital.get(bit, False)
+
+    def set_digital_output(self, bit: int, on: bool) -> None:
+        self.digital[bit] = on
+
+    def actual_q(self) -> Vector6:
+        return self.q
+
+    target_q = actual_tcp_pose = target_tcp_pose = actual_q
+
+    def actual_qd(self) -> Vector6:
+        return self.qd
+
+    target_qd = actual_tcp_speed = actual_qd
+
+    def tcp_force(self) -> Vector6:
+        return (3.0, 4.0, 12.0, 0.0, 0.0, 0.0)
+
+    def tcp_offset(self) -> Vector6:
+        return self.tcp
+
+    def set_tcp(self, pose: Vector6) -> None:
+        self.tcp = pose
+
+    def set_payload(self, mass: float, cog: tuple[float, float, float]) -> None:
+        self.payload = (mass, cog)
+
+    def forward_kin(self, q: Sequence[float], tcp: Vector6 | None) -> Vector6:
+        return tuple(q)
+
+    def inverse_kin(
+        self, pose: Vector6, near: Sequence[float] | None, tcp: Vector6 | None
+    ) -> Vector6:
+        if max(map(abs, pose[:3])) > 1.0:
+            raise ValueError("out of reach")
+        return pose
+
+    def servo_q(self, q: Sequence[float]) -> None:
+        self._next = tuple(q)
+
+    def brake(self, deceleration: float) -> bool:
+        loss = deceleration * self.period * 1e-9
+        qd = [0.0 if abs(v) <= loss else v - loss if v > 0 else v + loss for v in self.qd]
+        self._next = tuple(q + v * self.period * 1e-9 for q, v in zip(self.q, qd, strict=True))
+        return not any(qd)
+
+    def message(self, text: str) -> None:
+        self.messages.append(text)
+
+    def protective_stop(self, reason: str) -> None:
+        self.stops.append(reason)
+
+    def watch(self, register: str, minimum_frequency: float, action: str) -> None:
+        self.watched.append((register, minimum_frequency, action))
