@@ -41,8 +41,9 @@ def add_cable(jaws: mujoco.MjsBody, cable: Cable, pad: Pad, connector: Connector
 def _body(parent: mujoco.MjsBody, name: str, z: float) -> mujoco.MjsBody:
     """A body too light to matter, but not massless: the joints' armatures carry the inertia."""
     return parent.add_body(
-        name=name, pos=[0.0, 0.0, z], mass=1e-4, inertia=[1e-9] * 3, explicitinertial=True
-    )
+        name=name, pos=[0.0, 0.0, z], explicitinertial=True,
+        mass=1e-4, ipos=[0.0, 0.0, 0.0], inertia=[1e-9] * 3,
+    )  # fmt: skip
 
 
 class SpringOptions(TypedDict):

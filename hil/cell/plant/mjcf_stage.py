@@ -22,8 +22,9 @@ def add_stage(spec: mujoco.MjSpec, tool: Tool, cable: Cable, arm: Servo) -> mujo
     the stage; the sensor still feels it.
     """
     stage = spec.worldbody.add_body(
-        name="stage", mass=1e-3, inertia=[1e-6] * 3, explicitinertial=True, gravcomp=1.0
-    )
+        name="stage", explicitinertial=True, gravcomp=1.0,
+        mass=1e-3, ipos=[0.0, 0.0, 0.0], inertia=[1e-6] * 3,
+    )  # fmt: skip
     _add_servos(spec, stage, tool, arm)
     body = stage.add_body(
         name="tool", pos=[0.0, 0.0, tool.length], gravcomp=1.0, explicitinertial=True,
