@@ -1,0 +1,105 @@
+"""How a batch of samples becomes frames: flags, wire scale, classic pair or CAN FD."""
+
+from collections.abc import Callable
+from typing import Final, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.protocol import nrs_can
+from drivers.protocol.frame import CanFrame
+from drivers.protocol.nrs_sample import encode_fd, encode_pair
+from hil.cell.errors import RigError
+from hil.cell.rig.sensor import Sensor
+from hil.cell.sensor.transducer import DAMAGED, SATURATED
+
+IntArray = NDArray[np.int64]
+Timed: TypeAlias = tuple[int, CanFrame]
+
+TORQUE_DELAY: Final = 120_000
+"""TORQUE leaves after FORCE's 111 to 135 bits at 1 Mbit/s, ns."""
+
+
+class Batch(NamedTuple):
+    """Consecutive samples about to be sent, numbered from `first`.
+
+    times: ns. values: tared counts, (n, 6). alarms: as Counts has them, (n,).
+    still_old: so many of them are on the zero before the current one.
+    """
+
+    times: list[int]
+    values: IntArray
+    alarms: IntArray
+    first: int
+    still_old: int
+
+
+class Framing:
+    """Encodes batches for one node; raises RigError when the rig's range exceeds the wire's."""
+
+    def __init__(self, sensor: Sensor, identifiers: nrs_can.Identifiers) -> None:
+        self._ids = identifiers
+        fd = sensor.frames == "fd"
+        force = nrs_can.FD_FORCE_LSB if fd else nrs_can.FORCE_LSB
+        torque = nrs_can.FD_TORQUE_LSB if fd else nrs_can.TORQUE_LSB
+        self._limit = nrs_can.FD_COUNT_LIMIT if fd else nrs_can.COUNT_LIMIT
+        self._scale = np.repeat(
+            [sensor.resolution_force / force, sensor.resolution_torque / torque], 3
+        )
+        self._unscaled = bool(np.all(np.abs(self._scale - 1.0) < 1e-9))
+        self._encode: Callable[[int, list[int], int, int], list[Timed]] = (
+            self._encode_fd if fd else self._encode_pair
+        )
+        for name, full, lsb in (
+            ("force", sensor.range_force, force),
+            ("torque", sensor.range_torque, torque),
+        ):
+            if sensor.saturation * full > (self._limit - 1) * lsb:
+                raise RigError(
+                    f"sensor: {sensor.saturation:g} x range_{name} {full:g} exceeds the "
+                    f"{(self._limit - 1) * lsb:g} that {sensor.frames} frames can carry"
+                )
+
+    def frames(self, batch: Batch, tared: tuple[bool, bool]) -> list[Timed]:
+        """Frames with their emission times; tared says whether (old, current) zero is a tare."""
+        wire = (
+            batch.values if self._unscaled else np.rint(batch.values * self._scale).astype(np.int64)
+        )
+        flags = self._flags(batch, tared)
+        top = self._limit - 1
+        if np.abs(wire).max(initial=0) > top:
+            flags = [
+                flag | nrs_can.SATURATED if max(map(abs, row)) > top else flag
+                for flag, row in zip(flags, wire.tolist(), strict=True)
+            ]
+            wire = np.clip(wire, -top, top)
+        frames: list[Timed] = []
+        counter = batch.first
+        for t, counts, flag in zip(batch.times, wire.tolist(), flags, strict=True):
+            frames += self._encode(t, counts, flag, counter)
+            counter += 1
+        return frames
+
+    def _flags(self, batch: Batch, tared: tuple[bool, bool]) -> list[int]:
+        old, new = (nrs_can.VALID | (nrs_can.TARED if zero else 0) for zero in tared)
+        flags = [old] * batch.still_old + [new] * (len(batch.times) - batch.still_old)
+        if not batch.alarms.any():
+            return flags
+        return [_alarmed(flag, int(alarm)) for flag, alarm in zip(flags, batch.alarms, strict=True)]
+
+    def _encode_pair(self, t: int, counts: list[int], flags: int, counter: int) -> list[Timed]:
+        force, torque = encode_pair(self._ids, counts, flags, counter)
+        return [(t, force), (t + TORQUE_DELAY, torque)]
+
+    def _encode_fd(self, t: int, counts: list[int], flags: int, counter: int) -> list[Timed]:
+        return [(t, encode_fd(self._ids, counts, flags, counter, t // 1000))]
+
+
+def _alarmed(flags: int, alarms: int) -> int:
+    if alarms & 0x3F:
+        flags |= nrs_can.OVERLOAD
+    if alarms & SATURATED:
+        flags |= nrs_can.SATURATED
+    if alarms & DAMAGED:
+        flags = (flags | nrs_can.FAULT) & ~nrs_can.VALID
+    return flags

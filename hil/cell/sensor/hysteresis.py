@@ -1,0 +1,39 @@
+"""Hysteresis of a strain gauge: one play operator whose width follows the peak excursion."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Hysteresis:
+    """Reading minus load is -width * (load - play): up and down branches differ by
+    width * peak, and after a peak the zero is off by half of that.
+
+    The play is half the peak wide, so small motions inside the band lose slope, never the signal.
+    """
+
+    def __init__(self, width: float) -> None:
+        self._width = width
+        self._peak = np.zeros(6)
+        self._play = np.zeros(6)
+
+    def follow(self, loads: Array) -> Array:
+        """Readings of consecutive loads, (n, 6)."""
+        if self._width == 0.0:
+            return loads
+        self._peak = np.maximum(self._peak, np.maximum.reduce(np.abs(loads)))
+        slack = loads - self._play
+        # Mostly the load stays inside the band and the play stands still.
+        if np.any(np.abs(slack) > 0.5 * self._peak):
+            slack = loads - self._drag(loads)
+        return loads - self._width * slack
+
+    def _drag(self, loads: Array) -> Array:
+        """Play after each load, (n, 6): pulled along where a load leaves the band."""
+        half = 0.5 * self._peak
+        play = np.empty_like(loads)
+        for row, load in enumerate(loads):
+            self._play = np.minimum(np.maximum(self._play, load - half), load + half)
+            play[row] = self._play
+        return play
