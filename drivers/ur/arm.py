@@ -10,10 +10,11 @@ from contextlib import suppress
 from dataclasses import dataclass
 from math import isfinite
 from types import TracebackType
-from typing import Final, Self
+from typing import Final, Self, TypeAlias
 
 from drivers.errors import DriverError, LinkError, ProtocolError, RobotStateError
 from drivers.interfaces import ArmState, Vector6
+from drivers.protocol.rtde import PackageType, encode
 from drivers.ur.bring_up import NS, end_program, power_up, release_stop, start_program
 from drivers.ur.connection import RtdeConnection
 from drivers.ur.dashboard import Dashboard
@@ -25,6 +26,10 @@ _BARE_FLANGE: Final = ServoProgram()
 _OUTPUT_BITS: Final = 8
 _NEVER: Final = -1  # before any controller time
 _NOWHERE: Final[Vector6] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+Tap: TypeAlias = Callable[[int, bool, bytes], None]
+"""(arm time in ns, whether it was sent, the whole package); must be quick and must not block."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +45,7 @@ class UrArm:
     """One arm at `host`. limit: wall-clock s of silence after which a link counts as dead.
 
     rate: Hz that the caller was built for, checked against the controller's; None takes that.
+    tap: hears every data package that is sent or read.
     """
 
     def __init__(
@@ -50,6 +56,7 @@ class UrArm:
         program: ServoProgram = _BARE_FLANGE,
         rate: int | None = None,
         limit: float = 5.0,
+        tap: Tap | None = None,
     ) -> None:
         self._rtde = RtdeConnection(host, ports.rtde, OUTPUTS, INPUTS, limit)
         self._dashboard = Dashboard(host, ports.dashboard, limit)
@@ -57,6 +64,7 @@ class UrArm:
         self._program = program
         self._expected_rate = rate
         self._rate = rate
+        self._tap = tap
         self._sequence = 0
         self._awaited = False  # a command is out whose package has not been read
         self._t = _NEVER
@@ -189,6 +197,8 @@ class UrArm:
         self._sequence = (self._sequence + 1) & SEQUENCE_MASK
         self._rtde.send((command, self._sequence, *pose, self._mask, self._outputs))
         self._awaited = True
+        if self._tap is not None:
+            self._tap(max(self._t, 0), True, self._rtde.sent)
 
     def _receive(self) -> Sample:
         sample = Sample._make(self._rtde.read_newest())
@@ -201,6 +211,8 @@ class UrArm:
             raise LinkError(f"controller time went back from {self._t} to {t} ns; it restarted")
         self._t = t
         self._actual = sample.pose
+        if self._tap is not None:
+            self._tap(t, False, encode(PackageType.DATA, self._rtde.received))
         return sample
 
     def _explained(self, sample: Sample) -> DriverError:

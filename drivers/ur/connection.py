@@ -30,6 +30,7 @@ class RtdeConnection:
         self._agreement: Agreement | None = None
         self._cutter = Cutter()
         self._buffer = memoryview(bytearray(_BUFFER))
+        self.sent = self.received = b""  # last data package out, payload of the last one in
         self.texts: deque[setup.TextMessage] = deque(maxlen=8)  # newest last, for error messages
 
     @property
@@ -58,7 +59,8 @@ class RtdeConnection:
         """Send one package of the input recipe."""
         agreement = self._agreed()
         body = agreement.inputs.pack(values)
-        self._put(encode(PackageType.DATA, bytes((agreement.input_id,)) + body))
+        self.sent = encode(PackageType.DATA, bytes((agreement.input_id,)) + body)
+        self._put(self.sent)
 
     def read_newest(self) -> tuple[object, ...]:
         """Block for a package of the output recipe; the newest one's values."""
@@ -72,15 +74,16 @@ class RtdeConnection:
                     newest = package.payload
                 else:
                     self._note(package)
+        self.received = newest
         return self._unpack(agreement, newest)
 
     def _unpack(self, agreement: Agreement, payload: bytes) -> tuple[object, ...]:
         if not payload or payload[0] != agreement.output_id:
-            raise ProtocolError(f"{self._peer}: data of a recipe that was not agreed")
+            raise self._broken("data of a recipe that was not agreed")
         try:
             return agreement.outputs.unpack(payload[1:])
         except WireError as error:
-            raise ProtocolError(f"{self._peer}: {error}") from error
+            raise self._broken(error) from error
 
     def _agreed(self) -> Agreement:
         if self._agreement is None:
@@ -114,7 +117,12 @@ class RtdeConnection:
         try:
             return self._cutter.feed(bytes(self._buffer[:count])), count == _BUFFER
         except WireError as error:
-            raise ProtocolError(f"{self._peer}: {error}") from error
+            raise self._broken(error) from error
+
+    def _broken(self, fault: object) -> ProtocolError:
+        """A stream that broke the protocol once cannot be trusted again."""
+        self.close()
+        return ProtocolError(f"{self._peer}: {fault}")
 
     def _negotiate(self, dialogue: Dialogue) -> Agreement:
         """Carry a dialogue over the stream to its end."""
@@ -130,7 +138,7 @@ class RtdeConnection:
             agreement: Agreement = end.value
             return agreement
         except WireError as error:
-            raise ProtocolError(f"{self._peer}: {error}") from error
+            raise self._broken(error) from error
 
     def _note(self, package: Package) -> None:
         """Keep what the controller wants a person to read; other packages mean nothing now."""
@@ -139,4 +147,4 @@ class RtdeConnection:
         try:
             self.texts.append(setup.decode_text(package.payload))
         except WireError as error:
-            raise ProtocolError(f"{self._peer}: {error}") from error
+            raise self._broken(error) from error
