@@ -25,6 +25,11 @@ class RunningCell(Protocol):
     @property
     def description(self) -> str: ...
 
+    @property
+    def live(self) -> bool:
+        """Whether `take` gives records while the cell runs."""
+        ...
+
     def truth(self) -> PlantStep:
         """The plant now; only where the cell shares this process (CellError otherwise)."""
         ...

@@ -15,6 +15,8 @@ from hil.cell.serve import Doors, ServedCell, Tick
 class InlineCell:
     """Owns a served cell and its thread; construction opens the doors, `with` starts the clock."""
 
+    live = True
+
     def __init__(self, rig: Rig, seed: int, clock: str, *, record: bool = True) -> None:
         from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
 

@@ -20,6 +20,8 @@ STARTUP = 60.0
 class CellProcess:
     """Owns a child process that serves the cell; construction waits until its doors are open."""
 
+    live = False
+
     def __init__(self, rig: Rig, seed: int, clock: str, *, record: bool = True) -> None:
         context = get_context("spawn")
         self._pipe, theirs = context.Pipe()

@@ -1,0 +1,117 @@
+"""The near side of a rig: drivers at the cell's doors, and the rig's numbers as theirs.
+
+The same drivers at another address are a real cell's.
+"""
+
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from controller.frames import TaskFrame
+from controller.guard import Limits
+from controller.place import Place
+from controller.settings import Insertion, Plan, Press, Search, Travel
+from drivers.nrs.can_sensor import CanSensor
+from drivers.ur.arm import Tap, UrArm, UrPorts
+from drivers.ur.gripper import DigitalGripper
+from drivers.ur.program import ServoProgram
+from hil.cell.errors import RigError
+from hil.cell.rig import Rig
+from hil.cell.rig.parts import Part
+from hil.cell.serve import Doors
+from hil.cell.streams import stream
+
+NS = 1_000_000_000
+
+
+class NearSide(NamedTuple):
+    """Connected to nothing yet: bringing up is the controller's work."""
+
+    arm: UrArm
+    sensor: CanSensor
+    gripper: DigitalGripper
+
+
+def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
+    """The rig's drivers for a cell behind these doors; tap hears every RTDE data package."""
+    ports, tool = doors.ports, rig.tool
+    program = ServoProgram(
+        tcp=(0.0, 0.0, tool.length, 0.0, 0.0, 0.0),
+        mass=tool.mass,
+        centre_of_gravity=(0.0, 0.0, tool.centre_of_mass),
+    )
+    arm = UrArm(
+        doors.host,
+        UrPorts(ports["rtde"], ports["dashboard"], ports["secondary"]),
+        program=program,
+        rate=rig.robot.rate,
+        tap=tap,
+    )
+    sensor = CanSensor(
+        doors.can.interface,
+        doors.can.channel,
+        node=rig.sensor.node,
+        fd=rig.sensor.frames == "fd",
+        max_age_ns=round(rig.limits.sample_age * NS),
+    )
+    jaws = rig.robot.jaws
+    return NearSide(arm, sensor, DigitalGripper(arm, jaws.output, jaws.sensed))
+
+
+def task_frame(rig: Rig) -> TaskFrame:
+    """The connector as the near side believes it stands."""
+    return TaskFrame(rig.connector.position, rig.connector.rotation)
+
+
+def limits(rig: Rig) -> Limits:
+    """What the guard enforces."""
+    of = rig.limits
+    return Limits(
+        force_bound=of.force_bound,
+        workspace=of.workspace,
+        step=of.step,
+        step_rotation=of.step_rotation,
+        speed=of.speed,
+        sample_age=round(of.sample_age * NS),
+    )
+
+
+def part_named(rig: Rig, name: str) -> Part:
+    """One of the rig's parts; RigError lists them."""
+    for part in rig.fixture.parts:
+        if part.name == name:
+            return part
+    known = ", ".join(part.name for part in rig.fixture.parts) or "none"
+    raise RigError(f"part '{name}' is not in this rig; it has: {known}")
+
+
+def start_cells(rig: Rig, rng: np.random.Generator) -> tuple[int, int, int]:
+    """Where an episode starts, in steps off the slot's nominal place."""
+    x, y, theta = (int(rng.integers(-half, half + 1)) for half in rig.task.start_cells)
+    return x, y, theta
+
+
+def plan(rig: Rig, part: Part, cells: tuple[int, int, int]) -> Plan:
+    """One assembly of `part`, its search starting so many steps off."""
+    task = rig.task
+    at = task_frame(rig).from_base((*part.position, pi, 0.0, 0.0))
+    start = Place(
+        cells[0] * task.step,
+        cells[1] * task.step,
+        task.clearance,
+        cells[2] * task.step_rotation,
+    )
+    return Plan(
+        part=at._replace(theta=part.rotation - rig.connector.rotation),
+        start=start,
+        travel=Travel(),
+        press=Press(force=task.contact_force),
+        search=Search(task.step, task.step_rotation, task.max_steps),
+        insertion=Insertion(goal_depth=task.goal_depth),
+    )
+
+
+def start_plan(rig: Rig, part: Part, seed: int) -> Plan:
+    """The plan of the run with this seed."""
+    return plan(rig, part, start_cells(rig, stream(seed, "task.start")))

@@ -1,0 +1,83 @@
+"""What a run records, and when: near-side records of each cycle, far-side ones as they come."""
+
+from collections.abc import Mapping
+from importlib.resources import files
+
+from controller.course import Course
+from controller.cycle import Cycle
+from controller.frames import TaskFrame
+from controller.outcome import Outcome
+from controller.place import Place
+from drivers.protocol.rtde_variables import INPUTS, OUTPUTS, Variable
+from drivers.ur.sample import INPUTS as ARM_INPUTS
+from drivers.ur.sample import OUTPUTS as ARM_OUTPUTS
+from hil.app.cell import RunningCell
+from hil.recording.channel import Channel
+from hil.recording.channels import control, deadline, event, wrench
+from hil.recording.channels.event import EventKind
+from hil.recording.channels.rtde import RecipeNames
+from hil.recording.identity import Identity
+from hil.recording.recorder import Recorder
+
+
+def identity(name: str, text: bytes, seed: int, settings: Mapping[str, str]) -> Identity:
+    """The recording's identity: rig file, seed and the choices that change a run."""
+    return Identity(
+        seed=seed,
+        rig_name=name,
+        rig=text,
+        dbc=files("drivers.protocol").joinpath("nrs.dbc").read_bytes(),
+        settings=settings,
+        recipes_in={1: _recipe(ARM_INPUTS, INPUTS)},
+        recipes_out={1: _recipe(ARM_OUTPUTS, OUTPUTS)},
+    )
+
+
+def _recipe(names: tuple[str, ...], table: Mapping[str, Variable]) -> RecipeNames:
+    return tuple((name, table[name].type.name) for name in names)
+
+
+class RunRecord:
+    """Feeds one recorder from both sides of the wire, all in the loop's thread."""
+
+    def __init__(
+        self, recorder: Recorder, cell: RunningCell, frame: TaskFrame, period: int
+    ) -> None:
+        self._recorder, self._cell, self._frame, self._period = recorder, cell, frame, period
+        self._t: int | None = None
+        self._misses = 0
+        self._phase = ""
+
+    def rtde(self, t: int, sent: bool, package: bytes) -> None:
+        """One RTDE package as the arm driver sent or read it at arm time t, ns."""
+        self._recorder.put(Channel.RTDE_IN if sent else Channel.RTDE_OUT, t, package)
+
+    def cycle(self, cycle: Cycle, setpoint: Place, course: Course) -> None:
+        """One control period, and whatever the far side has recorded by now."""
+        t, put = cycle.t, self._recorder.put
+        if self._t is not None:
+            self._misses += max(0, (t - self._t) // self._period - 1)
+        self._t = t
+        if course.name != self._phase:
+            self._phase = course.name
+            put(Channel.EVENT, t, event.encode(EventKind.NOTE, f"phase {course.name}"))
+        put(Channel.WRENCH, t, wrench.encode(cycle.reading))
+        base = self._frame.to_base(setpoint)
+        packed = control.encode(course.name, course.steps, base, cycle.wrench, cycle.stage)
+        put(Channel.CTRL, t, packed)
+        put(Channel.DEADLINE, t, deadline.encode(t // self._period, self._misses))
+        if self._cell.live:
+            self.far()
+            self._recorder.settle(t)
+
+    def far(self) -> None:
+        """Take over what the far side has recorded since the last call."""
+        put = self._recorder.put
+        for t, channel, payload in self._cell.take():
+            put(channel, t, payload)
+
+    def end(self, outcome: Outcome) -> None:
+        """How it ended, at the last cycle's time."""
+        kind = EventKind.OUTCOME if outcome.standstill is None else EventKind.GUARD
+        line = f"{outcome.kind.value}: {outcome.reason}"
+        self._recorder.put(Channel.EVENT, self._t or 0, event.encode(kind, line))

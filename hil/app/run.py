@@ -1,0 +1,155 @@
+"""One run: cell up, drivers connected, job done, recording closed, nothing left behind."""
+
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+
+from controller.action import Policy
+from controller.course import Course, Phase
+from controller.cycle import Cycle
+from controller.job import assembly
+from controller.loop import Loop
+from controller.outcome import Ending, Outcome
+from controller.place import Place
+from controller.settings import Plan
+from controller.start import bring_up
+from drivers.interfaces import SensorHealth
+from hil.app.cell import CellReport, RunningCell
+from hil.app.inline import InlineCell
+from hil.app.near import NearSide, drivers, limits, part_named, start_plan, task_frame
+from hil.app.policy import policy
+from hil.app.process import CellProcess
+from hil.app.record import RunRecord, identity
+from hil.cell.rig import Rig
+from hil.recording.recorder import Recorder
+
+Watch = Callable[[Cycle, Course], None]
+"""Called in every control period, for screens; must be quick and must not block."""
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What to run. rig_text: the rig file's bytes, attached to the recording.
+
+    layout: `inline` or `process`, where the cell runs. clock: `lockstep` or `wall`.
+    out: folder of the recording, None for none.
+    """
+
+    rig: Rig
+    rig_text: bytes
+    seed: int
+    part: str
+    policy: str = "pose"
+    layout: str = "inline"
+    clock: str = "lockstep"
+    out: Path | None = None
+    overwrite: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """How a run went. bench, wall: seconds of either clock in the control loop; digest: SHA-256 of
+    the recording, None without one.
+    """
+
+    outcome: Outcome
+    bench: float
+    wall: float
+    health: SensorHealth
+    cell: CellReport
+    description: str
+    digest: str | None
+
+    @property
+    def real_time_factor(self) -> float:
+        return self.bench / self.wall if self.wall > 0 else 0.0
+
+
+def open_cell(request: Request) -> RunningCell:
+    """The cell of a request with its doors open; raises DoorError."""
+    kind = CellProcess if request.layout == "process" else InlineCell
+    record = request.out is not None
+    return kind(request.rig, request.seed, request.clock, record=record)
+
+
+def run(request: Request, watch: Watch) -> Result:
+    """Pick up the part, insert it, release it; raises CellError, DriverError, RecordingError.
+
+    What goes wrong while the arm moves is an Outcome, not an exception.
+    """
+    part = part_named(request.rig, request.part)
+    plan = start_plan(request.rig, part, request.seed)
+    with ExitStack() as stack:
+        recorder = _recorder(request, stack)
+        cell = stack.enter_context(open_cell(request))
+        frame = task_frame(request.rig)
+        record = recorder and RunRecord(recorder, cell, frame, request.rig.robot.period)
+        near = drivers(request.rig, cell.doors, record.rtde if record else None)
+        stack.callback(near.sensor.close)
+        stack.callback(near.arm.close)
+        bring_up(near.arm, near.sensor)
+        chosen = policy(request.policy, plan, request.seed, cell)
+        drive = _Drive(near, plan, chosen, record, watch)
+        outcome = Loop(near.arm, near.sensor, frame, observe=drive.observe).run(
+            drive.job, limits(request.rig)
+        )
+        return _close(drive, outcome, cell, recorder)
+
+
+def _recorder(request: Request, stack: ExitStack) -> Recorder | None:
+    """An open recorder that a failing run abandons; before anything moves."""
+    if request.out is None:
+        return None
+    settings = {"policy": request.policy, "part": request.part, "clock": request.clock}
+    about = identity(request.rig.name, request.rig_text, request.seed, settings)
+    recorder = Recorder(request.out, about, overwrite=request.overwrite)
+    recorder.open()
+    stack.callback(recorder.abandon)
+    return recorder
+
+
+class _Drive:
+    """The job with its observers: knows the course once the loop has begun it."""
+
+    def __init__(
+        self, near: NearSide, plan: Plan, chosen: Policy, record: RunRecord | None, watch: Watch
+    ) -> None:
+        self.near, self._plan, self._policy = near, plan, chosen
+        self.record, self._watch = record, watch
+        self._course: Course | None = None
+        self._first = self._last = 0
+        self._started = self._ended = 0.0
+
+    def job(self, course: Course) -> Phase[Ending]:
+        self._course = course
+        self._first, self._started = course.cycle.t, perf_counter()
+        return assembly(course, self._plan, self.near.sensor, self.near.gripper, self._policy)
+
+    def observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
+        course = self._course
+        assert course is not None, "the loop begins the job before it observes"
+        if self.record is not None:
+            self.record.cycle(cycle, setpoint, course)
+        self._watch(cycle, course)
+        self._last, self._ended = cycle.t, perf_counter()
+
+    @property
+    def seconds(self) -> tuple[float, float]:
+        """Bench and wall seconds of the control loop."""
+        return (self._last - self._first) * 1e-9, self._ended - self._started
+
+
+def _close(drive: _Drive, outcome: Outcome, cell: RunningCell, recorder: Recorder | None) -> Result:
+    """Close the drivers, then the cell, then the recording, which takes what the cell still has."""
+    description, health = cell.description, drive.near.sensor.health
+    if drive.record is not None:
+        drive.record.end(outcome)
+    drive.near.arm.close()
+    drive.near.sensor.close()
+    report = cell.stop()
+    if drive.record is not None:
+        drive.record.far()
+    digest = recorder.close() if recorder is not None else None
+    return Result(outcome, *drive.seconds, health, report, description, digest)
