@@ -2,6 +2,7 @@
 
 import socket
 from collections import deque
+from collections.abc import Iterator
 from typing import Final, Protocol
 
 from drivers.protocol.errors import WireError
@@ -32,12 +33,14 @@ class Cut(Exception):  # noqa: N818 - an event, not a fault of the cell
 class Connection:
     """A session, and the bytes that wait for their time (`_travelling`) or the kernel (`_out`)."""
 
-    __slots__ = ("_last_due", "_out", "_travelling", "session", "socket")
+    __slots__ = ("_delays", "_last_due", "_out", "_travelling", "session", "socket")
 
-    def __init__(self, client: socket.socket, session: Session) -> None:
+    def __init__(self, client: socket.socket, session: Session, delays: Iterator[int]) -> None:
+        """delays: travel times of the data packages, ns; replies take none."""
         self.socket = client
         self.session = session
         self._out = session.greeting
+        self._delays = delays
         self._travelling: deque[tuple[int, bytes]] = deque()
         self._last_due = 0
 
@@ -64,18 +67,22 @@ class Connection:
         if self.session.closing:
             raise Cut("quit")
 
-    def publish(self, data: bytes, due: int) -> None:
-        """Queue a package that leaves at `due`, ns, or with the one before it if that is later."""
-        self._last_due = max(self._last_due, due)
-        self._travelling.append((self._last_due, data))
+    def publish(self, t: int, step: int) -> None:
+        """Put the session's package of this control step, if one is due, on its way at t, ns.
+
+        No package overtakes the one before it: they share a TCP stream.
+        """
+        if package := self.session.publish(step):
+            self._last_due = max(self._last_due, t + next(self._delays))
+            self._travelling.append((self._last_due, package))
 
     @property
     def next_due(self) -> int | None:
-        """When the oldest travelling package leaves, ns."""
+        """When the oldest travelling package reaches the client, ns."""
         return self._travelling[0][0] if self._travelling else None
 
     def flush(self, t: int) -> None:
-        """Send everything due at t, and what the kernel refused before, in one go; raises Cut."""
+        """Send what is due at t, and what the kernel refused before, at once; raises Cut."""
         travelling = self._travelling
         while travelling and travelling[0][0] <= t:
             self._out += travelling.popleft()[1]
@@ -101,5 +108,5 @@ class Connection:
 
     def _reply(self, replies: bytes) -> None:
         """Set-up takes no bench time; packages already travelling stay ahead of the reply."""
-        self._out += b"".join(data for _, data in self._travelling) + replies
+        self._out += b"".join(package for _, package in self._travelling) + replies
         self._travelling.clear()

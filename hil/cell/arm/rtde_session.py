@@ -4,13 +4,14 @@ Follows the RTDE guide; what the guide leaves open is decided as UR's own and th
 need it, and said at the line.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import floor, isfinite
 from typing import Final
 
 from drivers.protocol.errors import WireError
 from drivers.protocol.rtde import (
     IN_USE,
+    MAX_PACKAGE,
     NOT_FOUND,
     Cutter,
     Package,
@@ -38,6 +39,12 @@ MAX_INPUT_RECIPES: Final = 255
 MAX_DATA: Final = 2000
 """UR's clients drop larger data packages, so an output recipe above this is refused."""
 
+MAX_REPLY: Final = MAX_PACKAGE - 3
+"""A request of many short names asks for more types than a package holds."""
+
+SLOWEST: Final = 1e-3
+"""Hz; the guide says 1 Hz, slower ones do no harm."""
+
 OUTPUT_RECIPE: Final = 1
 
 
@@ -47,13 +54,13 @@ class RtdeSession:
     greeting = b""
     closing = False
 
-    def __init__(self, arm: ArmController, client: int, delay: Callable[[], int]) -> None:
-        """client: the owner's number in `Ownership`. delay: draws a package's travel time, ns."""
+    def __init__(self, arm: ArmController, client: int, delays: Iterator[int]) -> None:
+        """client: its number in `Ownership`. delays: travel times of its data packages, ns."""
         self.commands = 0
         self._arm = arm
         self._box = arm.box
         self._client = client
-        self._delay = delay
+        self._delays = delays
         self._cutter = Cutter()
         self._protocol = 1  # until the client asks for 2 (RTDE guide, "Protocol version")
         self._inputs: dict[int, Recipe] = {}
@@ -104,6 +111,8 @@ class RtdeSession:
         if handler is None:
             return self._warn(f"unknown package type {package.type}")
         reply = handler(package.payload)
+        if len(reply) > MAX_REPLY:
+            raise WireError(f"RTDE reply of {len(reply)} bytes, allowed are {MAX_REPLY}")
         return reply if package.type == PackageType.TEXT_MESSAGE else encode(package.type, reply)
 
     def _request_version(self, payload: bytes) -> bytes:
@@ -119,11 +128,12 @@ class RtdeSession:
         """Replace the output recipe; sending stops until the next START (the guide is silent)."""
         self._started, self._output = False, None
         rate = float(self._box.robot.rate)
-        names, frequency = decode_names(payload), rate
         if self._protocol == 2:
             names, frequency = decode_names_with_frequency(payload)
+        else:
+            names, frequency = decode_names(payload), rate
         types = [self._output_type(name) for name in names]
-        accepted = bool(names) and NOT_FOUND not in types and self._frequency_fits(frequency)
+        accepted = bool(names) and NOT_FOUND not in types and _sensible(frequency)
         accepted = accepted and self._compile_output(names)
         if accepted:
             # Steps are skipped, never stretched: floor(rate / f), counted in control steps.
@@ -135,9 +145,6 @@ class RtdeSession:
         variable = OUTPUTS.get(name)
         known = variable is not None and variable.known_to(self._box.version)
         return variable.type.name if variable is not None and known else NOT_FOUND
-
-    def _frequency_fits(self, frequency: float) -> bool:
-        return isfinite(frequency) and frequency > 0.0
 
     def _compile_output(self, names: tuple[str, ...]) -> bool:
         recipe = Recipe(names, [OUTPUTS[name].type for name in names])
@@ -188,7 +195,7 @@ class RtdeSession:
         except WireError as error:
             return self._warn(f"data package discarded: {error}")
         # TCP keeps the order, so a package cannot overtake the one before it.
-        self._last_arrival = max(self._last_arrival, t + self._delay())
+        self._last_arrival = max(self._last_arrival, t + next(self._delays))
         self._arm.accept(dict(zip(recipe.names, values, strict=True)), self._last_arrival)
         self.commands += 1
         return b""
@@ -200,3 +207,7 @@ class RtdeSession:
             return b""
         message = TextMessage(text, "RTDE", TextLevel.WARNING)
         return encode(PackageType.TEXT_MESSAGE, encode_text(message))
+
+
+def _sensible(frequency: float) -> bool:
+    return isfinite(frequency) and frequency >= SLOWEST

@@ -6,7 +6,8 @@ bench time that the caller names.
 
 import selectors
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import repeat
 from typing import Final, Self
 
 import numpy as np
@@ -17,24 +18,32 @@ from hil.cell.arm.dashboard_session import DashboardSession
 from hil.cell.arm.rtde_session import RtdeSession
 from hil.cell.arm.script_session import ScriptSession, version_message
 from hil.cell.errors import DoorError
+from hil.cell.rig import LatencyLaw
 from hil.cell.rig.robot import Ports
 from hil.cell.rig.task import Link
 
 DOORS: Final = ("dashboard", "primary", "secondary", "realtime", "rtde")
 BACKLOG: Final = 8
+DRAWN_AT_ONCE: Final = 256
+"""Delays drawn in one call: a scalar draw costs a microsecond, a block of them little more."""
 
 
 class UrServer:
     """Doors to one arm; `with` opens and closes them. ports: the real ones, once open."""
 
     def __init__(
-        self, arm: ArmController, ports: Ports, host: str, link: Link, rng: np.random.Generator
+        self,
+        arm: ArmController,
+        ports: Ports,
+        host: str,
+        link: Link,
+        rng: np.random.Generator,
     ) -> None:
-        """link, rng: travel times of RTDE data packages, drawn by direction."""
+        """link, rng: travel times of RTDE data packages; each client has its own streams."""
+        self.host = host
         self.ports: dict[str, int] = {}
         self._arm = arm
         self._wanted = ports
-        self._host = host
         self._link = link
         self._rng = rng
         self._selector: selectors.BaseSelector | None = None
@@ -45,14 +54,13 @@ class UrServer:
         self._commands = 0
 
     def __enter__(self) -> Self:
-        self.open()
-        return self
+        return self.open()
 
     def __exit__(self, *exception: object) -> None:
         self.close()
 
-    def open(self) -> None:
-        """Listen on every port; DoorError says which one is taken."""
+    def open(self) -> Self:
+        """Listen on every port; DoorError says which one is taken, and leaves none open."""
         self._selector = selectors.DefaultSelector()
         try:
             for door in DOORS:
@@ -60,6 +68,7 @@ class UrServer:
         except DoorError:
             self.close()
             raise
+        return self
 
     def close(self) -> None:
         """Close every connection and every port; may be called again."""
@@ -103,14 +112,13 @@ class UrServer:
         return len(self._connections)
 
     def publish(self, t: int, step: int) -> None:
-        """Build the packages of control step `step`; each leaves after its link's delay."""
-        for connection, session in tuple(self._rtde):
-            if package := session.publish(step):
-                connection.publish(package, t + self._link.from_cell.draw(self._rng))
+        """Build the packages of control step `step` and put them on their way at t, ns."""
+        for connection, _ in self._rtde:
+            connection.publish(t, step)
 
     @property
     def next_due(self) -> int | None:
-        """When the next package leaves, ns; None when none is on its way."""
+        """When the next package reaches a client, ns; None when none is on its way."""
         return min((d for c, _ in self._rtde if (d := c.next_due) is not None), default=None)
 
     def flush(self, t: int) -> None:
@@ -123,11 +131,11 @@ class UrServer:
         self._listeners[door] = listener
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
-            listener.bind((self._host, port))
+            listener.bind((self.host, port))
             listener.listen(BACKLOG)
         except OSError as error:
             raise DoorError(
-                f"{door} port {self._host}:{port} cannot be opened ({error.strerror}); stop what "
+                f"{door} port {self.host}:{port} cannot be opened ({error.strerror}); stop what "
                 f"holds it, or set robot.ports.{door} to 0 for a free port"
             ) from None
         listener.setblocking(False)
@@ -143,19 +151,23 @@ class UrServer:
         client.setblocking(False)
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._clients += 1
-        session = self._session(door)
-        connection = Connection(client, session)
+        connection = self._connect(door, client)
         self._connections.append(connection)
-        if isinstance(session, RtdeSession):
-            self._rtde.append((connection, session))
         assert self._selector is not None
         self._selector.register(client, selectors.EVENT_READ, connection)
         self._guarded(connection, Connection.send)
         return True
 
+    def _connect(self, door: str, client: socket.socket) -> Connection:
+        if door != "rtde":
+            return Connection(client, self._session(door), repeat(0))
+        to_cell, from_cell = self._rng.spawn(2)  # a client's delays do not depend on other clients
+        session = RtdeSession(self._arm, self._clients, _delays(self._link.to_cell, to_cell))
+        connection = Connection(client, session, _delays(self._link.from_cell, from_cell))
+        self._rtde.append((connection, session))
+        return connection
+
     def _session(self, door: str) -> Session:
-        if door == "rtde":
-            return RtdeSession(self._arm, self._clients, lambda: self._link.to_cell.draw(self._rng))
         if door == "dashboard":
             return DashboardSession(self._arm)
         greeting = b"" if door == "realtime" else version_message(self._arm.box.version)
@@ -178,3 +190,8 @@ class UrServer:
                 self._rtde.remove(pair)
         connection.close()
         self._arm.box.say(f"{type(connection.session).__name__}: {why}")
+
+
+def _delays(law: LatencyLaw, rng: np.random.Generator) -> Iterator[int]:
+    while True:
+        yield from law.draws(rng, DRAWN_AT_ONCE)

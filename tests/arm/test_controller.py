@@ -1,0 +1,190 @@
+"""The control loop: program, limits, jaws, repeatability and what the box reports of them."""
+
+import numpy as np
+import pytest
+
+from hil.cell.arm.pose import Pose
+from hil.cell.arm.states import RuntimeState, SafetyMode
+from hil.cell.errors import PlantError
+
+SERVO = """def follow():
+  while True:
+    q = get_target_joint_positions()
+    q[0] = q[0] + read_input_float_register(24)
+    servoj(q, t=get_steptime())
+  end
+end
+"""
+ZERO6 = (0.0,) * 6
+
+
+def step_of(cell, radians):
+    """Ask the program for so many radians a cycle."""
+    cell.arm.accept({"input_double_register_24": radians}, cell.t)
+
+
+@pytest.fixture
+def following(running):
+    running.arm.upload(SERVO)
+    running.run(2)
+    assert running.box.modes.program is RuntimeState.PLAYING
+    return running
+
+
+def test_a_braked_arm_refuses_programs_and_says_why(cell):
+    cell.arm.upload(SERVO)
+    assert cell.box.modes.program is RuntimeState.STOPPED
+    assert "robot POWER_OFF" in cell.log
+
+
+def test_a_program_that_does_not_compile_is_logged(running):
+    running.arm.upload("def broken(:\nend\n")
+    assert running.box.modes.program is RuntimeState.STOPPED
+    assert "program refused" in running.log
+
+
+def test_a_program_error_ends_the_program(running):
+    running.arm.upload("def late():\n  sync()\n  x = [1, 2]\n  y = x[7]\nend\n")
+    running.run(5)
+    assert running.box.modes.program is RuntimeState.STOPPED
+    assert "program error" in running.log
+
+
+def test_a_program_ends_by_itself(running):
+    running.arm.upload('def brief():\n  textmsg("hello")\nend\n')
+    running.run(3)
+    assert running.box.modes.program is RuntimeState.STOPPED
+    assert "hello" in running.log
+
+
+def test_a_new_program_replaces_the_old_one(following):
+    following.arm.upload(
+        'def other():\n  textmsg("other")\n  while True:\n    sync()\n  end\nend\n'
+    )
+    following.run(3)
+    step_of(following, 0.01)
+    before = following.box.servo.q
+    following.run(3)
+    assert "other" in following.log
+    assert following.box.servo.q == before
+
+
+def test_a_secondary_program_leaves_the_primary_running(following):
+    following.arm.upload("sec signal():\n  set_digital_out(3, True)\nend\n")
+    following.run(2)
+    assert following.box.signals.outputs >> 3 & 1
+    assert following.box.modes.program is RuntimeState.PLAYING
+
+
+def test_set_points_move_the_target_and_the_report_follows(following):
+    step_of(following, 0.005)
+    before = following.box.measured.q[0]
+    following.run(10)
+    assert following.box.measured.q[0] - before == pytest.approx(0.05, abs=1e-6)
+    assert following.box.measured.qd[0] == pytest.approx(0.625, rel=1e-4)
+    assert following.box.target.twist[5] == pytest.approx(0.625, rel=1e-6)
+
+
+@pytest.mark.parametrize(("step", "why"), [(0.06, "jump"), (0.03, "joint speed"), (0.02, "TCP")])
+def test_motion_beyond_a_limit_makes_a_protective_stop(following, step, why):
+    step_of(following, step)
+    following.run(1)
+    box = following.box
+    assert box.modes.safety is SafetyMode.PROTECTIVE_STOP
+    assert f"protective stop: {why}" in following.log
+    held = box.servo.q
+    following.run(10)
+    assert box.modes.program is RuntimeState.STOPPED
+    assert box.servo.q == held
+
+
+def test_a_set_point_that_is_not_finite_makes_a_protective_stop(running):
+    running.arm.port.servo_q((float("nan"), *running.box.servo.q[1:]))
+    target = running.run()
+    assert running.box.modes.safety is SafetyMode.PROTECTIVE_STOP
+    assert np.isfinite(target.q).all()
+
+
+def test_an_unlocked_arm_takes_a_new_program(following):
+    step_of(following, 0.06)
+    following.seconds(5.5)
+    step_of(following, 0.0)
+    from hil.cell.arm.modes import Event  # noqa: PLC0415
+
+    following.box.post(Event.UNLOCK)
+    following.arm.upload(SERVO)
+    following.run(2)
+    assert following.box.modes.program is RuntimeState.PLAYING
+
+
+def test_silence_of_a_watched_input_stops_the_arm(running):
+    running.arm.upload(
+        'def watched():\n  rtde_set_watchdog("input_int_register_24", 10, "stop")\n'
+        "  while True:\n    sync()\n  end\nend\n"
+    )
+    running.run(3)
+    for value in range(30):
+        running.arm.accept({"input_int_register_24": value}, running.t)
+        running.run()
+    assert running.box.modes.safety is SafetyMode.NORMAL
+    running.seconds(0.12)
+    assert running.box.modes.safety is SafetyMode.PROTECTIVE_STOP
+    assert "C207A0" in running.log
+
+
+def test_the_jaws_close_by_their_output_and_tell_a_part(running):
+    running.box.signals.set_output(0, on=True)
+    closed = [running.run().jaws_closed for _ in range(15)]
+    assert closed.index(True) == 10  # 80 ms
+    running.part_held = True
+    running.run(5)
+    assert running.box.signals.inputs & 1
+
+
+def test_the_true_flange_is_off_the_reported_one_by_less_than_the_repeatability(running):
+    target = running.run()
+    off = np.subtract(target.flange.position, running.box.target.flange.position)
+    assert 0 < np.abs(off).max() <= running.box.robot.repeatability
+    assert running.box.measured.q == pytest.approx(running.box.servo.q, abs=1e-9)
+
+
+def test_the_offset_stays_until_the_jaws_close(running):
+    def off():
+        return np.subtract(running.run().flange.position, running.box.target.flange.position)
+
+    first = off()
+    running.seconds(0.5)
+    assert np.array_equal(off(), first)
+    running.box.signals.set_output(0, on=True)
+    running.seconds(0.2)
+    second = off()
+    assert not np.array_equal(second, first)
+    running.box.signals.set_output(0, on=False)
+    running.seconds(0.2)
+    assert np.array_equal(off(), second)
+
+
+def test_the_same_seed_gives_the_same_offset(make_cell):
+    first, same, other = (make_cell(seed).run().flange for seed in (4, 4, 5))
+    assert first == same
+    assert first != other
+
+
+def test_the_tcp_is_the_flange_moved_by_the_offset(running):
+    running.arm.port.set_tcp((0.0, 0.0, 0.12, 0.0, 0.0, 0.0))
+    flange, tcp = running.box.measured.flange, running.arm.port.actual_tcp_pose()
+    axis = np.array(flange.rotation)[:, 2]
+    assert np.allclose(tcp[:3], np.array(flange.position) + 0.12 * axis)
+    q = running.arm.port.inverse_kin(tcp, None, None)
+    assert q == pytest.approx(running.box.measured.q, abs=1e-9)
+
+
+def test_an_arm_moved_out_of_its_reach_is_a_plant_error(running):
+    far = Pose((3.0, 0.0, 0.0), running.box.measured.flange.rotation)
+    with pytest.raises(PlantError, match="out of its reach"):
+        running.arm.observe(running.t, far, ZERO6, ZERO6, part_held=False)
+
+
+def test_the_log_tells_when(running):
+    running.box.say("now")
+    assert running.arm.log[-1] == (running.t, "now")

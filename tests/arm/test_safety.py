@@ -1,0 +1,35 @@
+"""Why the safety system refuses a set-point."""
+
+import math
+
+import pytest
+
+from hil.cell.arm.safety import Motion, judge
+from hil.cell.rig.robot import Safety
+
+LIMITS = Safety()
+HOME = (0.0, -1.5, 1.5, -1.5, -1.5, 0.0)
+HERE = (0.4, 0.0, 0.2)
+
+
+def motion(step=0.0, travel=0.0, seconds=0.008, q=HOME):
+    after = (q[0] + step, *q[1:])
+    return Motion(q, after, HERE, (HERE[0] + travel, *HERE[1:]), seconds)
+
+
+def test_a_slow_motion_is_allowed():
+    assert judge(motion(step=0.02, travel=0.007), LIMITS) is None
+
+
+@pytest.mark.parametrize(
+    ("refused", "why"),
+    [
+        (motion(step=math.nan), "not finite"),
+        (motion(step=0.051), "set-point jump 0.051 rad, allowed is 0.05 rad"),
+        (motion(step=0.0252), "joint speed 3.15 rad/s, allowed is 3.142 rad/s"),
+        (motion(travel=0.0081), "TCP speed 1.012 m/s, allowed is 1 m/s"),
+        (motion(step=0.001, q=(6.283, *HOME[1:])), "joint position"),
+    ],
+)
+def test_a_motion_beyond_a_limit_is_refused_with_the_numbers(refused, why):
+    assert why in str(judge(refused, LIMITS))

@@ -1,0 +1,91 @@
+"""Cutting a stream of script text into units."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from drivers.protocol.errors import WireError
+from hil.cell.arm.modes import Event
+from hil.cell.arm.script_session import MAX_UNIT, ScriptSession, UnitCutter, version_message
+from hil.cell.arm.states import RobotMode
+
+PROGRAM = """def motion():
+  # if this were code, an end would be missing
+  textmsg("while def if")
+  thread helper():
+    while True:
+      if x == 1:
+        sync()
+      elif x == 2: # comment
+        end_force_mode()
+      end
+    end
+  end
+end
+"""
+SECONDARY = "sec signal():\n  set_digital_out(1, True)\nend\n"
+LINE = "set_digital_out(0, True)\n"
+
+
+def test_a_program_is_one_unit():
+    assert UnitCutter().feed(PROGRAM.encode()) == [PROGRAM]
+
+
+def test_units_follow_each_other():
+    stream = PROGRAM + "\n\n" + SECONDARY + LINE + "  # note\n" + PROGRAM
+    assert UnitCutter().feed(stream.encode()) == [PROGRAM, SECONDARY, LINE, PROGRAM]
+
+
+@given(st.lists(st.integers(1, 60), max_size=20))
+def test_pieces_do_not_matter(cuts):
+    stream, cutter, units = (PROGRAM + LINE + SECONDARY).encode(), UnitCutter(), []
+    for size in cuts:
+        units += cutter.feed(stream[:size])
+        stream = stream[size:]
+    assert units + cutter.feed(stream) == [PROGRAM, LINE, SECONDARY]
+
+
+def test_an_unfinished_unit_waits():
+    cutter = UnitCutter()
+    assert cutter.feed(PROGRAM[:-4].encode()) == []
+    assert cutter.feed(b"end\n") == [PROGRAM]
+
+
+def test_a_unit_without_an_end_is_bounded():
+    cutter = UnitCutter()
+    with pytest.raises(WireError, match="without an end"):
+        cutter.feed(b"def f():\n" + b"x = 1\n" * (MAX_UNIT // 6 + 1))
+
+
+@given(st.binary(max_size=300))
+def test_garbage_is_cut_without_errors(data):
+    assert all(isinstance(unit, str) for unit in UnitCutter().feed(data))
+
+
+def test_raw_commands_reach_the_modes(cell):
+    session = ScriptSession(cell.arm, b"")
+    session.receive(b"power on\n", 0)
+    assert cell.box.modes.robot is RobotMode.BOOTING
+    session.receive(b"set robotmode run\n", 0)
+    cell.seconds(2.0)
+    assert cell.box.modes.robot is RobotMode.RUNNING
+    session.receive(b"power off\n", 0)
+    assert cell.box.modes.robot is RobotMode.POWER_OFF
+
+
+def test_a_protective_stop_can_be_unlocked_by_script(running):
+    session = ScriptSession(running.arm, b"")
+    running.box.post(Event.PROTECTIVE_STOP)
+    running.seconds(1.0)
+    session.receive(b"set unlock protective stop\n", 0)
+    assert not running.box.modes.moving
+    running.seconds(5.0)
+    session.receive(b"set unlock protective stop\n", 0)
+    assert running.box.modes.moving
+
+
+def test_the_version_message_says_its_own_size():
+    message = version_message((3, 15, 8, 106339))
+    assert int.from_bytes(message[:4]) == len(message)
+    assert message[4] == 20
+    assert b"URControl\x03\x0f" in message
