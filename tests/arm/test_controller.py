@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from hil.cell.arm.modes import Event
 from hil.cell.arm.pose import Pose
 from hil.cell.arm.states import RuntimeState, SafetyMode
 from hil.cell.errors import PlantError
@@ -85,7 +86,9 @@ def test_set_points_move_the_target_and_the_report_follows(following):
     assert following.box.target.twist[5] == pytest.approx(0.625, rel=1e-6)
 
 
-@pytest.mark.parametrize(("step", "why"), [(0.06, "jump"), (0.03, "joint speed"), (0.02, "TCP")])
+@pytest.mark.parametrize(
+    ("step", "why"), [(0.06, "set-point jump"), (0.03, "joint speed"), (0.02, "TCP speed")]
+)
 def test_motion_beyond_a_limit_makes_a_protective_stop(following, step, why):
     step_of(following, step)
     following.run(1)
@@ -109,8 +112,6 @@ def test_an_unlocked_arm_takes_a_new_program(following):
     step_of(following, 0.06)
     following.seconds(5.5)
     step_of(following, 0.0)
-    from hil.cell.arm.modes import Event  # noqa: PLC0415
-
     following.box.post(Event.UNLOCK)
     following.arm.upload(SERVO)
     following.run(2)

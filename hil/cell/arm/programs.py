@@ -75,8 +75,7 @@ class Programs:
 
     def _runs_on(self, runtime: Runtime) -> bool:
         """Step one runtime; false once it has ended, whatever the reason."""
-        try:
-            return runtime.step() is RuntimeStatus.RUNNING
-        except ScriptError as error:
-            self._box.say(f"program error: {error}")
-            return False
+        status = runtime.step()
+        if status is RuntimeStatus.FAILED:
+            self._box.say(f"program error: {runtime.error}")
+        return status is RuntimeStatus.RUNNING
