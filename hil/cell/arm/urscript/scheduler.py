@@ -51,7 +51,9 @@ class Scheduler:
     @property
     def main(self) -> Thread | None:
         """The thread with handle 0, None once it has ended."""
-        return next((thread for thread in self._threads if thread.handle == 0), None)
+        # The first one started, and nothing kills it: its handle is 0.
+        first = self._threads[0] if self._threads else None
+        return first if first is not None and first.handle == 0 else None
 
     def step(self) -> bool:
         """One slice of every thread, whose errors pass through; true while the main one lives."""
@@ -60,7 +62,9 @@ class Scheduler:
         for thread in tuple(self._threads):
             if self._critical in (None, thread) and thread in self._threads:
                 self._slice(thread)
-        return self.main is not None
+            if self.main is None:
+                return False
+        return True
 
     def _slice(self, thread: Thread) -> None:
         self._current = thread

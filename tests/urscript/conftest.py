@@ -1,13 +1,17 @@
-"""An in-memory robot: it stands where its last set-point was, with the TCP at the joint values."""
+"""An in-memory robot for programs, and the two ways tests run one on it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+
+import pytest
+
+from hil.cell.arm.urscript import Runtime, RuntimeStatus, compile_program
 
 Vector6 = tuple[float, float, float, float, float, float]
 ZERO6: Vector6 = (0.0,) * 6
 
 
 class FakePort:
-    """Kinematics are the identity: pose == joints, so straight lines can be checked by eye."""
+    """A robot that stands where its last set-point was, and whose pose equals its joints."""
 
     def __init__(self, period: int = 8_000_000) -> None:
         self.period = period
@@ -108,3 +112,48 @@ class FakePort:
 
     def watch(self, register: str, minimum_frequency: float, action: str) -> None:
         self.watched.append((register, minimum_frequency, action))
+
+
+@pytest.fixture(scope="session")
+def robots() -> type[FakePort]:
+    """For tests that need a new robot for each of hypothesis' examples."""
+    return FakePort
+
+
+@pytest.fixture
+def robot() -> FakePort:
+    return FakePort()
+
+
+@pytest.fixture
+def start(robot) -> Callable[[str], Runtime]:
+    """Compile a program on the robot without running it."""
+    return lambda text: Runtime(compile_program(text), robot)
+
+
+@pytest.fixture
+def run(robot, start) -> Callable[..., Runtime]:
+    """Run a program until it ends, or for so many control cycles."""
+
+    def run(text: str, cycles: int = 1000) -> Runtime:
+        runtime = start(text)
+        for _ in range(cycles):
+            runtime.step()
+            robot.end_cycle()
+            if runtime.status is not RuntimeStatus.RUNNING:
+                break
+        return runtime
+
+    return run
+
+
+@pytest.fixture
+def said(robot, run) -> Callable[[str], list[str]]:
+    """What a program that ends well has put into the log."""
+
+    def said(text: str) -> list[str]:
+        runtime = run(text)
+        assert runtime.status is RuntimeStatus.FINISHED, runtime.error
+        return robot.messages
+
+    return said
