@@ -16,6 +16,7 @@ from hil.recording.read import Message, Recording
 from hil.recording.series import Control, Truth
 
 INSIDE = ("slot", "bottom")
+ENDINGS = (EventKind.OUTCOME, EventKind.GUARD)
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +42,7 @@ class Summary:
     """One run in numbers: s, N, m. None where the run has no such thing.
 
     f_z: least and largest period mean along the task's z. slot_found: when the tip first entered.
-    depth: the tip's last depth below the face. outcome: the last outcome event.
+    depth: the tip's last depth below the face. outcome: the last event that says how it ended.
     """
 
     seed: str
@@ -82,7 +83,7 @@ def summarise(recording: Recording) -> Summary:
         f_z=_normal_force(controller),
         guard_trips=sum(event.kind == EventKind.GUARD for event in events),
         misses=_misses(recording.messages),
-        outcome=next((e.text for e in reversed(events) if e.kind == EventKind.OUTCOME), None),
+        outcome=next((e.text for e in reversed(events) if e.kind in ENDINGS), None),
     )
 
 

@@ -1,0 +1,42 @@
+"""Which errors a user may meet, the one line that says each, and the exit status it ends in."""
+
+from typing import Protocol, runtime_checkable
+
+FAILED = 1
+"""A run that began and failed; or, of `hil diff`, recordings that differ."""
+
+BAD_INPUT = 2
+"""Usage, a rig file or a folder that cannot be used: nothing moved."""
+
+INTERRUPTED = 130
+"""Ctrl-C, as shells report it."""
+
+
+@runtime_checkable
+class UsageError(Protocol):
+    """A usage error of click's; by shape, since typer may bundle its own copy of click."""
+
+    exit_code: int
+
+    def format_message(self) -> str: ...
+
+
+def status(error: Exception) -> int | None:
+    """The exit status for a known error, None for one that is a bug of ours."""
+    # Imported when something went wrong: `hil --help` needs none of these rooms.
+    from controller.errors import ControlError  # noqa: PLC0415
+    from drivers.errors import DriverError  # noqa: PLC0415
+    from hil.cell.errors import CellError, RigError  # noqa: PLC0415
+    from hil.recording.errors import RecordingError  # noqa: PLC0415
+
+    if isinstance(error, RigError | RecordingError | UsageError):
+        return BAD_INPUT
+    if isinstance(error, DriverError | CellError | ControlError):
+        return FAILED
+    return None
+
+
+def line(error: Exception) -> str:
+    """One line, whatever the error's own text looks like."""
+    text = error.format_message() if isinstance(error, UsageError) else str(error)
+    return " ".join(text.split()) or type(error).__name__

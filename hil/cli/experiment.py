@@ -1,0 +1,61 @@
+"""`hil experiment`: the campaigns behind the numbers in the documentation."""
+
+from typing import Annotated
+
+import typer
+
+from hil.cli.errors import FAILED
+from hil.cli.options import Json, PolicyName, PolicyOption, Seed
+
+RigOption = Annotated[str, typer.Option(metavar="RIG", help="A rig file or a shipped rig's name.")]
+DEFAULT_RIG = "ffc_ur5"
+
+
+def build() -> typer.Typer:
+    app = typer.Typer(
+        help="Repeat the documentation's experiments.", no_args_is_help=True, rich_markup_mode=None
+    )
+    app.command()(plant)
+    app.command()(noise)
+    app.command()(insertion)
+    return app
+
+
+def plant(*, rig: RigOption = DEFAULT_RIG, seed: Seed = None, json: Json = False) -> int:
+    """Contact physics against closed forms; exit status 1 when a row fails."""
+    from hil.cli.shipped import read  # noqa: PLC0415
+    from hil.experiments.plant import run  # noqa: PLC0415
+    from hil.view import tables  # noqa: PLC0415
+
+    found, _ = read(rig)
+    rows = run(found, found.seed if seed is None else seed)
+    typer.echo(tables.of_rows(rows, json=json), nl=False)
+    return 0 if all(row.passed for row in rows) else FAILED
+
+
+def noise(*, rig: RigOption = DEFAULT_RIG, seed: Seed = None, json: Json = False) -> int:
+    """The emulated sensor's noise against its budget; exit status 1 when a row fails."""
+    from hil.cli.shipped import read  # noqa: PLC0415
+    from hil.experiments.noise import run  # noqa: PLC0415
+    from hil.view import tables  # noqa: PLC0415
+
+    found, _ = read(rig)
+    rows = run(found, found.seed if seed is None else seed)
+    typer.echo(tables.of_rows(rows, json=json), nl=False)
+    return 0 if all(row.passed for row in rows) else FAILED
+
+
+def insertion(
+    *,
+    rig: RigOption = DEFAULT_RIG,
+    seeds: Annotated[int, typer.Option(min=1, help="How many runs.")] = 20,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the first run.")] = 1,
+    policy: PolicyOption = PolicyName.POSE,
+    json: Json = False,
+) -> int:
+    """Success rate, steps and forces of insertion over seeds, with intervals."""
+    from hil.cli.shipped import read  # noqa: PLC0415
+    from hil.experiments.insertion import run  # noqa: PLC0415
+
+    found, content = read(rig)
+    return run(found, content, seeds=seeds, seed=seed, policy=policy.value, json=json)

@@ -1,0 +1,128 @@
+"""Results as text: tables for people, JSON for programs."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from io import StringIO
+from typing import TYPE_CHECKING
+
+import orjson
+from rich.console import Console
+from rich.table import Table
+
+from hil.recording.diff import Comparison
+from hil.recording.summary import Summary, timeline
+
+if TYPE_CHECKING:
+    from hil.cli.checks import Finding
+    from hil.experiments.row import Row
+
+WIDTH = 110
+"""Columns; a fixed number, so that output does not depend on the terminal."""
+
+
+def as_json(result: object) -> str:
+    """A dataclass, or a list of them, as JSON."""
+    return orjson.dumps(result, option=orjson.OPT_INDENT_2).decode() + "\n"
+
+
+def of_run(summary: Summary) -> str:
+    """A run's outcome, then its time line."""
+    return _text(_facts(facts(summary)), _timeline(summary), _counts(summary))
+
+
+def facts(summary: Summary) -> list[tuple[str, str]]:
+    """Name and value of what a reader of a run asks first."""
+    f_z, slot, depth = summary.f_z, summary.slot_found, summary.depth
+    return [
+        ("rig, seed", f"{summary.rig}, {summary.seed}"),
+        ("outcome", summary.outcome or "none recorded"),
+        ("recording", summary.ending or "complete"),
+        ("bench time", f"{summary.duration:.3f} s"),
+        ("slot found", "never" if slot is None else f"{slot:.3f} s"),
+        ("depth at the end", "-" if depth is None else f"{depth * 1e3:.3f} mm"),
+        ("f_z, period means", "-" if f_z is None else f"{f_z[0]:.2f} to {f_z[1]:.2f} N"),
+        ("guard trips", str(summary.guard_trips)),
+        ("deadlines missed", f"{summary.misses} (bench time)"),
+        ("SHA-256", summary.digest),
+    ]
+
+
+def of_comparison(comparison: Comparison) -> str:
+    """`same`, or what differs first."""
+    if comparison.same:
+        return "same\n"
+    lines = [f"{name}: {left} | {right}" for name, left, right in comparison.identity]
+    first = comparison.message
+    if first is None:
+        return "\n".join([*lines, "all messages are the same"]) + "\n"
+    place = f"{first.topic} at {first.t * 1e-9:.9f} s"
+    where = f"{place}, {first.field}" if first.field else place
+    lines += [f"first difference: {where}", f"  {first.left}", f"  {first.right}"]
+    return "\n".join(lines) + "\n"
+
+
+def of_facts(values: Mapping[str, str | int | float | None]) -> str:
+    """One name and value a line; None is a dash."""
+    named = values.items()
+    return _text(_facts((key.replace("_", " "), _shown(value)) for key, value in named))
+
+
+def of_rows(rows: "Sequence[Row]", *, json: bool) -> str:
+    """An experiment's table."""
+    if json:
+        return as_json([row._asdict() for row in rows])
+    table = _table("target", "what", "measured", "allowed", "")
+    for row in rows:
+        table.add_row(*row[:4], "ok" if row.passed else "FAILED")
+    return _text(table)
+
+
+def of_findings(found: "Sequence[Finding]") -> str:
+    """What `hil doctor` found; advice under what needs some."""
+    table = _table("check", "", "found")
+    for entry in found:
+        advice = f"\n-> {entry.advice}" if entry.advice else ""
+        table.add_row(entry.name, entry.verdict.value, entry.found + advice)
+    return _text(table)
+
+
+def _shown(value: str | float | None) -> str:
+    return "-" if value is None else str(value)
+
+
+def _facts(rows: Iterable[tuple[str, str]]) -> Table:
+    table = Table(show_header=False, box=None, pad_edge=False)
+    for row in rows:
+        table.add_row(*row)
+    return table
+
+
+def _timeline(summary: Summary) -> Table:
+    table = _table("t / s", "what", "")
+    for entry in timeline(summary):
+        table.add_row(f"{entry.t:9.3f}", entry.kind, entry.text)
+    return table
+
+
+def _counts(summary: Summary) -> Table:
+    table = _table("channel", "messages")
+    for topic, count in summary.counts.items():
+        table.add_row(topic, str(count))
+    return table
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=None, pad_edge=False, header_style="")
+    for column in columns:
+        table.add_column(column, overflow="fold")
+    return table
+
+
+def _text(*tables: Table) -> str:
+    """Tables as plain text, a blank line between them, no spaces at line ends."""
+    screen = StringIO()
+    console = Console(file=screen, width=WIDTH, color_system=None, highlight=False, markup=False)
+    for table in tables:
+        console.print(table)
+        console.print()
+    lines = [line.rstrip() for line in screen.getvalue().splitlines()]
+    return "\n".join(lines).rstrip() + "\n"
