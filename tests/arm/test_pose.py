@@ -46,6 +46,14 @@ def test_rotation_vector_holds_near_a_half_turn(axis, deviation):
     assert np.allclose(pose.rotation_of(*found), matrix, atol=1e-8)
 
 
+@given(st.floats(-math.pi, math.pi), st.floats(-1e-10, 1e-10))
+def test_rounding_does_not_flip_a_hanging_tool(about_z, noise):
+    hanging = pose.product(pose.rotation_of(0.0, 0.0, about_z), pose.rotation_of(math.pi, 0.0, 0.0))
+    noisy = pose.product(hanging, pose.rotation_of(noise, 0.0, 0.0))
+    vector = np.array(pose.rotation_vector(noisy))
+    assert vector[np.argmax(np.abs(vector))] > 0
+
+
 @given(poses)
 def test_a_pose_and_its_inverse_cancel(a):
     assert close(pose.compose(a, pose.inverse(a)), pose.IDENTITY)

@@ -12,6 +12,9 @@ Vector3: TypeAlias = tuple[float, float, float]
 Vector6: TypeAlias = tuple[float, float, float, float, float, float]
 Rotation: TypeAlias = tuple[Vector3, Vector3, Vector3]
 
+HALF_TURN_BAND: Final = 1e-9
+"""rad; rotations this near to pi count as exact half turns."""
+
 ZERO3: Final[Vector3] = (0.0, 0.0, 0.0)
 ZERO6: Final[Vector6] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -65,17 +68,23 @@ def rotation_vector(rotation: Rotation) -> Vector3:
 
 
 def _half_turn(rotation: Rotation, sine_axis: Vector3) -> Vector3:
-    """Near pi the antisymmetric part vanishes: the axis comes from R + R^T = 2 (2 a a^T - I)."""
-    i = max(range(3), key=lambda n: rotation[n][n])
-    column = [0.5 * (rotation[n][i] + rotation[i][n]) for n in range(3)]
-    column[i] += 1.0
-    length = sqrt(sum(c * c for c in column))
-    x, y, z = (c / length for c in column)
-    projection = x * sine_axis[0] + y * sine_axis[1] + z * sine_axis[2]
-    angle = pi - 0.5 * abs(projection)
-    if projection < 0.0:
-        angle = -angle
-    return (x * angle, y * angle, z * angle)
+    """Near pi the antisymmetric part vanishes: the axis comes from R + R^T = 2 (2 a a^T - I).
+
+    Of an exact half turn's two vectors this is the one whose largest component is positive, so
+    that rounding does not flip the reported pose of a tool that hangs down.
+    """
+    (r00, r01, r02), (r10, r11, r12), (r20, r21, r22) = rotation
+    if r00 >= r11 and r00 >= r22:
+        x, y, z = r00 + 1.0, 0.5 * (r01 + r10), 0.5 * (r02 + r20)
+    elif r11 >= r22:
+        x, y, z = 0.5 * (r01 + r10), r11 + 1.0, 0.5 * (r12 + r21)
+    else:
+        x, y, z = 0.5 * (r02 + r20), 0.5 * (r12 + r21), r22 + 1.0
+    k = 1.0 / sqrt(x * x + y * y + z * z)
+    twice_sine = (x * sine_axis[0] + y * sine_axis[1] + z * sine_axis[2]) * k
+    angle = pi - 0.5 * abs(twice_sine)
+    k *= -angle if twice_sine < -HALF_TURN_BAND else angle
+    return (x * k, y * k, z * k)
 
 
 def of(vector: Vector6) -> Pose:
