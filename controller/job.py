@@ -5,10 +5,10 @@ from controller.course import Course, Phase
 from controller.force_axis import ForceAxis
 from controller.outcome import Ending, Kind
 from controller.phases.approach import approach, retract
-from controller.phases.contact import Face, contact
-from controller.phases.insert import Inserted, insert
+from controller.phases.contact import contact
+from controller.phases.insert import Inserted, draw_out, insert
 from controller.phases.pick_up import pick_up, put_down, release
-from controller.phases.search import Found, search
+from controller.phases.search import Found, search, take_step
 from controller.phases.tare import tare
 from controller.settings import Plan
 from drivers.interfaces import ForceTorqueSensor, Gripper
@@ -43,10 +43,24 @@ def attempt(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Polic
     if plan.tare_samples:
         yield from tare(course, sensor, plan.tare_samples)
     axis = ForceAxis(plan.press, course.period)
-    face = yield from contact(course, axis, plan.press)
-    if face is None:
-        return Ending(Kind.FAULT, "the contact force did not settle on the connector's face")
-    return (yield from _find_and_insert(course, axis, face, plan, policy))
+    while course.steps < plan.search.max_steps:
+        touch = yield from contact(course, axis, plan)
+        if touch is None:
+            return Ending(Kind.FAULT, "the contact force did not settle on the connector's face")
+        found = Found.SLOT
+        if not touch.in_slot:
+            found = yield from search(course, axis, touch.face, policy, plan)
+        if found is Found.GIVEN_UP:
+            return Ending(Kind.LIMIT, f"the policy gave up after {course.steps} steps")
+        if found is Found.LIMIT:
+            break
+        if (yield from insert(course, axis, touch.face, plan.insertion)) is Inserted.GOAL:
+            return Ending(Kind.INSERTED, f"goal depth reached after {course.steps} steps")
+        # A jammed part stays jammed however often it is pushed: out, one step on, and down again.
+        yield from draw_out(course, plan.insertion)
+        yield from take_step(course, None, policy, plan.search)
+        axis = ForceAxis(plan.press, course.period)
+    return Ending(Kind.LIMIT, f"no insertion within {plan.search.max_steps} steps")
 
 
 def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
@@ -66,16 +80,3 @@ def leave(course: Course, plan: Plan) -> Phase[Ending]:
     """Retract from wherever a stop left the tool; to be run under `Limits` with a wider bound."""
     yield from retract(course, plan.travel)
     return Ending(Kind.DONE, "retracted")
-
-
-def _find_and_insert(
-    course: Course, axis: ForceAxis, face: Face, plan: Plan, policy: Policy
-) -> Phase[Ending]:
-    while True:
-        found = yield from search(course, axis, face, policy, plan)
-        if found is Found.LIMIT:
-            return Ending(Kind.LIMIT, f"no insertion within {plan.search.max_steps} steps")
-        if found is Found.GIVEN_UP:
-            return Ending(Kind.LIMIT, f"the policy gave up after {course.steps} steps")
-        if (yield from insert(course, axis, face, plan.insertion)) is Inserted.GOAL:
-            return Ending(Kind.INSERTED, f"goal depth reached after {course.steps} steps")

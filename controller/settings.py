@@ -25,17 +25,18 @@ class Travel:
 class Press:
     """Contact along z: force f_d (N), m (N s²/m) and b (N s/m) of the admittance.
 
-    b = 1000 fits cable and pad of 16.5 N/mm. descent: m/s. touch: N. tolerance: N, within which
-    the force counts as settled. reach: m below the nominal face before giving up.
+    stiffness: of cable and pad along z, N/m, for which b is right. descent: m/s. touch: N.
+    tolerance: N, within which the force counts as settled. reach: m below the nominal face.
     """
 
     force: float = 5.0
     mass: float = 1.0
     damping: float = 1000.0
+    stiffness: float = 16.5e3
     descent: float = 4e-3
     touch: float = 0.5
     tolerance: float = 0.15
-    reach: float = 2e-3
+    reach: float = 4e-3
     patience: float = 5.0
     """Longest wait for a settled force, s."""
 
@@ -75,6 +76,9 @@ class Insertion:
     stall: float = 0.5
     """Seconds without `progress` (m) that mean stuck."""
     progress: float = 0.05e-3
+    lift: float = 0.5e-3
+    """Height above the face to which a stuck part is drawn out, m."""
+    lift_speed: float = 5e-3
 
 
 @dataclass(frozen=True, slots=True)

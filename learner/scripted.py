@@ -13,7 +13,7 @@ _NEAR = 0.5
 
 
 class Waypoints:
-    """Walks to one way point (x, y, theta, in steps) after the other: theta first, then x, then y."""
+    """Walks from one way point (x, y, theta, in steps) to the next: theta first, then x, then y."""
 
     def __init__(self, points: Iterator[tuple[float, float, float]], search: Search) -> None:
         self._points = points

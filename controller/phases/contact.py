@@ -5,17 +5,17 @@ from dataclasses import dataclass
 from controller.course import Course, Phase
 from controller.cycle import Cycle
 from controller.force_axis import ForceAxis
-from controller.settings import Press
+from controller.settings import Plan, Press
 
-STIFFNESS_RANGE = (2e3, 50e3)
-"""N/m between which cable, pad and jaws are believed."""
+CALM = 0.064
+"""s: how long the force stays settled before the face counts as found."""
 
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """The connector's face as the contact found it: what depth is measured against.
+    """The connector's face as the tool feels it: what depth is measured against.
 
-    height: z of the TCP at contact force, m. force: N. stiffness: of cable and pad along z, N/m.
+    height: z of the TCP when pressing with force (N), m. stiffness: of cable and pad along z, N/m.
     """
 
     height: float
@@ -32,28 +32,36 @@ class Face:
         return self.height - cycle.stage.z + relief
 
 
-def contact(course: Course, axis: ForceAxis, press: Press) -> Phase[Face | None]:
+@dataclass(frozen=True, slots=True)
+class Touch:
+    """What the descent ended on; in_slot: the tip went in at once."""
+
+    face: Face
+    in_slot: bool
+
+
+def contact(course: Course, axis: ForceAxis, plan: Plan) -> Phase[Touch | None]:
     """Descend until touch, settle at the contact force; None when there was nothing to touch."""
     course.name = "contact"
-    touched: Cycle | None = None
+    press = plan.press
+    nominal = nominal_face(press)
     deadline = course.cycle.t + round(press.patience * 1e9)
     calm = 0.0
     while course.cycle.t < deadline and course.cycle.stage.z > -press.reach:
         cycle = yield from course.to(axis.follow(course))
-        if touched is None and cycle.wrench[2] > press.touch:
-            touched = cycle
+        if cycle.wrench[2] > press.touch and nominal.depth(cycle) > plan.search.entry:
+            return Touch(nominal, in_slot=True)
         calm = calm + course.period if _settled(cycle, axis, press) else 0.0
-        if touched is not None and calm >= 0.064:
-            return _face(touched, cycle)
+        if calm >= CALM:
+            face = Face(cycle.stage.z, cycle.wrench[2], press.stiffness)
+            return Touch(face, in_slot=False)
     return None
+
+
+def nominal_face(press: Press) -> Face:
+    """The face where the task frame says it is."""
+    return Face(-press.force / press.stiffness, press.force, press.stiffness)
 
 
 def _settled(cycle: Cycle, axis: ForceAxis, press: Press) -> bool:
     return abs(cycle.wrench[2] - press.force) < press.tolerance and abs(axis.velocity) < 0.4e-3
-
-
-def _face(touched: Cycle, settled: Cycle) -> Face:
-    softest, stiffest = STIFFNESS_RANGE
-    way = max(touched.stage.z - settled.stage.z, 1e-6)
-    stiffness = (settled.wrench[2] - touched.wrench[2]) / way
-    return Face(settled.stage.z, settled.wrench[2], min(max(stiffness, softest), stiffest))

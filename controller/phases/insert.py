@@ -31,6 +31,16 @@ def insert(course: Course, axis: ForceAxis, face: Face, insertion: Insertion) ->
     return Inserted.STUCK
 
 
+def draw_out(course: Course, insertion: Insertion) -> Phase[None]:
+    """Lift a stuck part off, as soft sideways as it went in, to hover over the face."""
+    course.name = "draw out"
+    while course.setpoint.z < insertion.lift:
+        dx, dy = yielding(course, insertion)
+        dz = min(insertion.lift_speed * course.period, insertion.lift - course.setpoint.z)
+        yield from course.to(course.setpoint.moved(dx, dy, dz))
+    yield from course.dwell(0.1)
+
+
 def yielding(course: Course, insertion: Insertion) -> tuple[float, float]:
     """Step of x and y (m) that follows the push of the slot's walls, at a limited speed."""
     fx, fy = course.cycle.wrench[:2]

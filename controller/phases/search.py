@@ -25,14 +25,25 @@ def search(course: Course, axis: ForceAxis, face: Face, policy: Policy, plan: Pl
     """Ask the policy, step, settle, look; counts on in `course.steps`."""
     course.name = "search"
     while course.steps < plan.search.max_steps:
-        action = policy.choose(observation(course.cycle))
-        if action is None:
+        if not (yield from take_step(course, axis, policy, plan.search)):
             return Found.GIVEN_UP
-        course.steps += 1
-        yield from _step(course, axis, step_of(course, action, plan.search))
         if (yield from _settle(course, axis, face, plan.search, plan.press)):
             return Found.SLOT
     return Found.LIMIT
+
+
+def take_step(
+    course: Course, axis: ForceAxis | None, policy: Policy, search: Search
+) -> Phase[bool]:
+    """One ramped step, pressing or (without axis) hovering; False when the policy gives up."""
+    action = policy.choose(observation(course.cycle))
+    if action is None:
+        return False
+    course.steps += 1
+    for dx, dy, dtheta in ramp(*step_of(course, action, search), ramp_periods(course.period)):
+        held = axis.follow(course) if axis else course.setpoint
+        yield from course.to(held.moved(dx, dy, 0.0, dtheta))
+    return True
 
 
 def step_of(course: Course, action: Action, search: Search) -> tuple[float, float, float]:
@@ -44,11 +55,6 @@ def step_of(course: Course, action: Action, search: Search) -> tuple[float, floa
     if outside and abs(here[axis] + size) > abs(here[axis]):
         size = 0.0
     return (size if axis == 0 else 0.0, size if axis == 1 else 0.0, size if axis == 2 else 0.0)
-
-
-def _step(course: Course, axis: ForceAxis, step: tuple[float, float, float]) -> Phase[None]:
-    for dx, dy, dtheta in ramp(*step, ramp_periods(course.period)):
-        yield from course.to(axis.follow(course).moved(dx, dy, 0.0, dtheta))
 
 
 def _settle(

@@ -2,7 +2,10 @@
 
 from math import cos, exp, pi, sin
 
+import pytest
+
 from controller.frames import TaskFrame
+from controller.loop import Loop
 from controller.place import Place
 from drivers.errors import NotReadyError
 from drivers.interfaces import (
@@ -230,3 +233,30 @@ class FakeGripper:
 
     def holds(self, state: ArmState) -> bool:
         return bool(state.inputs & 1)
+
+
+class Cell:
+    """World, fakes and loop, connected; `seen` holds what the observer was given."""
+
+    def __init__(self, rate=125, **world):
+        self.world = SpringWorld(**world)
+        self.arm = FakeArm(self.world, rate)
+        self.sensor = FakeSensor(self.arm)
+        self.gripper = FakeGripper(self.arm)
+        self.seen = []
+        self.loop = Loop(self.arm, self.sensor, FRAME, observe=lambda *row: self.seen.append(row))
+        self.arm.connect()
+
+    def phases(self):
+        names = [phase for _, _, phase in self.seen]
+        return [name for name, before in zip(names, [None, *names], strict=False) if name != before]
+
+
+@pytest.fixture
+def make_cell():
+    return Cell
+
+
+@pytest.fixture
+def frame():
+    return FRAME
