@@ -1,0 +1,136 @@
+"""Joins the halves of a sample by counter and numbers samples without wrap; no bus in here.
+
+Keeping the last of each half instead would mix two samples whenever a frame is lost.
+"""
+
+from typing import Final, NamedTuple
+
+from drivers.interfaces import Vector6
+from drivers.protocol.frame import CanFrame
+from drivers.protocol.nrs_can import Identifiers, ProtocolError
+from drivers.protocol.nrs_sample import Sample, decode_fd, decode_pair
+
+WINDOW: Final = 2
+"""Samples that may be half complete at once; an older half has lost its partner."""
+HALF_LIFE: Final = 20_000_000
+"""Longest wait of a half for its partner, ns: a partner later than that may be a wrap later."""
+OUTAGE: Final = 100_000_000
+"""Silence after which an 8-bit counter (256 ms) may have wrapped, ns."""
+
+
+class NumberedSample(NamedTuple):
+    """number: how many samples the node sent before this one since its boot."""
+
+    number: int
+    wrench: Vector6
+    flags: int
+
+
+class _Half(NamedTuple):
+    counter: int
+    is_force: bool
+    octets: bytes
+    t: int
+
+
+class Assembler:
+    """Takes data frames, gives whole samples in rising order, counts everything it drops.
+
+    The counter's wraps are known only once STATUS has told the node's own count, so no sample
+    comes before the first STATUS, nor after an outage before the next one.
+    """
+
+    def __init__(self, identifiers: Identifiers, fd: bool) -> None:
+        self._ids = identifiers
+        self._fd = fd
+        self._modulus = 1 << 16 if fd else 1 << 8
+        self._halves: list[_Half] = []
+        self._last: int | None = None
+        self._last_t = 0
+        self.pairs = self.gaps = self.duplicates = self.torn = self.malformed = 0
+        self.last_error = ""
+
+    def restart(self) -> None:
+        """Forget counter and halves, as after a node reset; the counts of losses stay."""
+        self._halves.clear()
+        self._last = None
+
+    def synchronise(self, sample_count: int, t: int) -> None:
+        """Take the number of samples sent from a STATUS that arrived at t."""
+        newest = sample_count - 1
+        if self._last is None or abs(newest - self._last) >= self._modulus // 2:
+            self.gaps += max(0, newest - self._last) if self._last is not None else 0
+            self._last = newest
+            self._halves.clear()
+        self._last_t = t
+
+    def accept(self, frame: CanFrame, t: int) -> NumberedSample | None:
+        """The sample that this data frame completes at arm time t, if it does."""
+        if frame.fd != self._fd:
+            self._reject(f"frame {frame.id:#x} is {'' if frame.fd else 'not '}CAN FD")
+            return None
+        try:
+            sample = self._complete(frame, t)
+        except ProtocolError as error:
+            self._reject(str(error))
+            return None
+        return None if sample is None else self._number(sample, t)
+
+    def _complete(self, frame: CanFrame, t: int) -> Sample | None:
+        if self._fd:
+            return decode_fd(self._ids, frame.data)
+        octets = frame.data
+        if len(octets) != 8:
+            raise ProtocolError(f"frame {frame.id:#x} has {len(octets)} bytes instead of 8")
+        counter, is_force = octets[7], frame.id == self._ids.force
+        for index, half in enumerate(self._halves):
+            if half.counter != counter or t - half.t > HALF_LIFE:
+                continue
+            if half.is_force == is_force:
+                self.duplicates += 1
+                return None
+            del self._halves[index]
+            return (
+                decode_pair(octets, half.octets) if is_force else decode_pair(half.octets, octets)
+            )
+        self._wait(_Half(counter, is_force, octets, t))
+        return None
+
+    def _wait(self, half: _Half) -> None:
+        if self._last is not None and self._distance(half.counter, self._last) <= 0:
+            # Its sample is complete already, or its turn is over.
+            self.duplicates += self._distance(half.counter, self._last) == 0
+            self.torn += self._distance(half.counter, self._last) != 0
+            return
+        self._halves.append(half)
+        if len(self._halves) > WINDOW:
+            del self._halves[0]
+            self.torn += 1
+
+    def _number(self, sample: Sample, t: int) -> NumberedSample | None:
+        last = self._last
+        if last is None or t - self._last_t > OUTAGE:
+            self._last = None
+            return None
+        step = self._distance(sample.counter, last)
+        if step <= 0:
+            self.duplicates += 1
+            return None
+        self.pairs += 1
+        self.gaps += step - 1
+        self._last, self._last_t = last + step, t
+        return NumberedSample(last + step, sample.wrench, sample.flags)
+
+    def nearest(self, counter: int) -> int:
+        """The number nearest the last sample's whose low byte is `counter`."""
+        last = self._last or 0
+        return last + (counter - last + 128) % 256 - 128
+
+    def _distance(self, counter: int, number: int) -> int:
+        """Signed way from a number to the nearest one with this counter."""
+        half = self._modulus // 2
+        return (counter - number + half) % self._modulus - half
+
+    def _reject(self, reason: str) -> None:
+        self.malformed += 1
+        self.last_error = reason

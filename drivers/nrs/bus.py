@@ -1,0 +1,61 @@
+"""The driver's end of the CAN bus: python-can opened, drained, reopened, its errors made ours."""
+
+import os
+import socket
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Final
+
+import can
+
+from drivers.errors import LinkError
+from drivers.protocol.bus_address import BusAddress
+from drivers.protocol.frame import CanFrame
+
+RECEIVE_BUFFER: Final = 4_000_000
+"""Bytes asked of the kernel: its default holds 278 unread frames and then drops silently."""
+
+
+def open_bus(address: BusAddress, fd: bool) -> can.BusABC:
+    """Open a bus; LinkError names interface, channel and reason."""
+    try:
+        options: dict[str, object] = dict(address.options())
+        if fd and address.interface == "socketcan":
+            options["fd"] = True
+        bus = can.Bus(**options)  # type: ignore[arg-type]
+    except Exception as error:  # python-can's back ends raise NameError, OSError and their own
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise LinkError(
+            f"CAN {address.interface} '{address.channel}' cannot be opened: {reason}"
+        ) from error
+    _widen(bus)
+    return bus
+
+
+def _widen(bus: can.BusABC) -> None:
+    """Ask for a larger receive buffer where the bus is a socket; the kernel may grant less."""
+    # A duplicate shares the socket and its options; closing it leaves the bus alone.
+    with (
+        suppress(NotImplementedError, OSError),
+        socket.socket(fileno=os.dup(bus.fileno())) as duplicate,
+    ):
+        duplicate.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+
+
+def drain(bus: can.BusABC, take: Callable[[can.Message], None]) -> None:
+    """Hand over every message that the bus holds now, oldest first."""
+    while (message := bus.recv(0)) is not None:
+        take(message)
+
+
+def standard_frame(message: can.Message) -> CanFrame | None:
+    """The frame, or None for extended, remote and error frames: an extended 0x181 is not 0x181."""
+    if message.is_extended_id or message.is_remote_frame or message.is_error_frame:
+        return None
+    return CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
+
+
+def send(bus: can.BusABC, frame: CanFrame) -> None:
+    bus.send(
+        can.Message(arbitration_id=frame.id, data=frame.data, is_extended_id=False, is_fd=frame.fd)
+    )

@@ -1,0 +1,106 @@
+"""The force/torque sensor on CAN, as drivers.interfaces.ForceTorqueSensor."""
+
+from typing import Final
+
+from drivers.interfaces import SensorHealth, WrenchReading
+from drivers.nrs.bus import standard_frame
+from drivers.nrs.link import Link
+from drivers.nrs.session import Session
+from drivers.protocol.bus_address import BusAddress
+
+SILENCE: Final = 1_000_000_000
+"""A node sends ten heartbeats a second; after this long without any frame the bus is reopened."""
+
+
+class CanSensor:
+    """Takes the bus in the caller's thread, so that lockstep runs repeat, unless `background`.
+
+    max_age_ns: limit on the newest sample's age in arm time. period_ns: time between samples.
+    """
+
+    def __init__(
+        self,
+        interface: str,
+        channel: str,
+        node: int = 1,
+        fd: bool = False,
+        *,
+        max_age_ns: int = 10_000_000,
+        period_ns: int = 1_000_000,
+        background: bool = False,
+    ) -> None:
+        self._link = Link(BusAddress(interface, channel), fd, background)
+        self._session = Session(node, fd, period_ns, max_age_ns)
+        self._heard: int | None = None
+        self._last_error = ""
+        self._foreign = 0
+
+    def connect(self) -> None:
+        """Open the bus; raises LinkError."""
+        self._link.open()
+
+    def close(self) -> None:
+        self._link.close()
+
+    def start(self) -> None:
+        """Ask the node to transmit; also the way back from SensorResetError, tare and all."""
+        self._session.start()
+        self._heard = None
+
+    @property
+    def ready(self) -> bool:
+        return self._session.ready
+
+    def begin_tare(self, samples: int) -> None:
+        """Ask the node to zero itself on the mean of so many samples; ValueError for none."""
+        self._session.begin_tare(samples)
+
+    @property
+    def tare_pending(self) -> bool:
+        return self._session.tare_pending
+
+    def poll(self, t: int) -> None:
+        """Take what the bus holds at arm time t; raises LinkError, CommandRefusedError."""
+        messages = self._link.take()
+        take = self._session.take
+        for message in messages:
+            frame = standard_frame(message)
+            if frame is not None:
+                take(frame, t)
+                continue
+            self._foreign += 1
+            if message.is_error_frame:
+                self._last_error = f"CAN error frame, class {message.arbitration_id:#x}"
+        self._mind_silence(t, heard=bool(messages))
+        request = self._session.due(t)
+        if request is not None:
+            self._link.send(request)
+
+    def read(self, t: int) -> WrenchReading:
+        """Poll, then the newest wrench; raises what poll raises, and SensorError for no wrench."""
+        self.poll(t)
+        return self._session.reading(t)
+
+    @property
+    def health(self) -> SensorHealth:
+        """Counts since construction."""
+        session, assembler = self._session, self._session.assembler
+        errors = (self._last_error, session.last_error, assembler.last_error, self._link.last_error)
+        return SensorHealth(
+            pairs=assembler.pairs,
+            gaps=assembler.gaps,
+            duplicates=assembler.duplicates,
+            torn=assembler.torn,
+            malformed=assembler.malformed,
+            foreign=session.foreign + self._foreign,
+            receiver_alive=self._link.alive,
+            last_error=next((error for error in errors if error), ""),
+        )
+
+    def _mind_silence(self, t: int, heard: bool) -> None:
+        """A kernel interface that was deleted and made again stays silent until reopened."""
+        if heard or self._heard is None:
+            self._heard = t
+        elif t - self._heard > SILENCE:
+            self._heard = t
+            self._link.reopen()

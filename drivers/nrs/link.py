@@ -1,0 +1,82 @@
+"""One open bus with its optional receive thread, and the way back when it fails."""
+
+from contextlib import suppress
+
+import can
+
+from drivers.errors import LinkError
+from drivers.nrs.bus import drain, open_bus, send
+from drivers.nrs.receiver import Receiver
+from drivers.protocol.bus_address import BusAddress
+from drivers.protocol.frame import CanFrame
+
+
+class Link:
+    """Open from the first `open` on; a failing bus is reopened once per call that meets it."""
+
+    def __init__(self, address: BusAddress, fd: bool, background: bool) -> None:
+        self._address = address
+        self._fd = fd
+        self._background = background
+        self._bus: can.BusABC | None = None
+        self._receiver: Receiver | None = None
+        self.last_error = ""
+
+    @property
+    def alive(self) -> bool:
+        """Whether somebody takes messages: the thread, or the caller by polling an open bus."""
+        return self._receiver.alive if self._receiver else self._bus is not None
+
+    def open(self) -> None:
+        """Raises LinkError."""
+        self._bus = open_bus(self._address, self._fd)
+        self._receiver = Receiver(self._bus) if self._background else None
+
+    def close(self) -> None:
+        if self._receiver is not None:
+            self._receiver.close()
+        if self._bus is not None:
+            # What a dead adapter raises while it is let go changes nothing for the caller.
+            with suppress(can.CanError, OSError):
+                self._bus.shutdown()
+        self._bus = self._receiver = None
+
+    def reopen(self) -> None:
+        """Raises LinkError. A kernel interface that came back is silent until reopened."""
+        self.close()
+        self.open()
+
+    def take(self) -> list[can.Message]:
+        """Messages since the last call; after a failure [] and a fresh bus, or LinkError."""
+        messages: list[can.Message] = []
+        try:
+            if self._receiver is not None:
+                return self._receiver.take()
+            drain(self._opened(), messages.append)
+        except (can.CanError, OSError, ValueError) as error:
+            self._recover(error)
+        except LinkError as error:
+            if self._bus is None:
+                raise
+            self._recover(error)
+        return messages
+
+    def send(self, frame: CanFrame) -> None:
+        """Raises LinkError when neither this bus nor a fresh one takes the frame."""
+        try:
+            send(self._opened(), frame)
+        except (can.CanError, OSError) as error:
+            self._recover(error)
+            try:
+                send(self._opened(), frame)
+            except (can.CanError, OSError) as again:
+                raise LinkError(f"CAN {self._address.channel}: cannot send: {again}") from again
+
+    def _opened(self) -> can.BusABC:
+        if self._bus is None:
+            raise LinkError("the CAN bus is not open: call connect() first")
+        return self._bus
+
+    def _recover(self, error: Exception) -> None:
+        self.last_error = f"{type(error).__name__}: {error}"
+        self.reopen()

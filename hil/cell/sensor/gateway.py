@@ -1,0 +1,114 @@
+"""The cell's end of the CAN bus; the only file of the far side that knows python-can."""
+
+from uuid import uuid4
+
+import can
+
+from drivers.protocol.bus_address import BusAddress
+from drivers.protocol.frame import CanFrame
+from hil.cell.errors import DoorError
+from hil.cell.rig.sensor import CanBus
+from hil.cell.sensor.can_interfaces import free_udp_port, up_can_interfaces
+
+
+class Gateway:
+    """Sends and takes frames without waiting.
+
+    One `can.Message` per identifier is sent again and again with `bytes` as its data: every
+    back end used here copies or packs it before `send` returns, and python-can's virtual bus
+    copies bytes in half the time that a fresh message with a bytearray takes.
+    """
+
+    def __init__(self, bus: can.BusABC, address: BusAddress) -> None:
+        self._bus = bus
+        self._address = address
+        self._messages: dict[int, can.Message] = {}
+
+    @property
+    def address(self) -> BusAddress:
+        """Where a driver finds the other end."""
+        return self._address
+
+    def describe(self) -> str:
+        return f"CAN: {self._address.interface} {self._address.channel}"
+
+    def send(self, frames: list[CanFrame]) -> None:
+        """Put frames on the bus in order; raises DoorError."""
+        try:
+            for frame in frames:
+                message = self._messages.get(frame.id) or self._prepare(frame)
+                message.data = frame.data  # type: ignore[assignment]  # see the class
+                message.dlc = len(frame.data)
+                self._bus.send(message)
+        except (can.CanError, OSError) as error:
+            raise DoorError(f"{self.describe()}: cannot send: {error}") from error
+
+    def receive(self) -> list[CanFrame]:
+        """Standard data frames that others sent since the last call; raises DoorError."""
+        frames = []
+        try:
+            while (message := self._bus.recv(0)) is not None:
+                if not _is_data(message):
+                    continue
+                # udp_multicast hears its own frames; nobody else owns these identifiers.
+                if message.arbitration_id not in self._messages:
+                    frames.append(
+                        CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
+                    )
+        except (can.CanError, OSError) as error:
+            raise DoorError(f"{self.describe()}: cannot receive: {error}") from error
+        return frames
+
+    def close(self) -> None:
+        self._bus.shutdown()
+
+    def _prepare(self, frame: CanFrame) -> can.Message:
+        message = can.Message(
+            arbitration_id=frame.id, is_extended_id=False, is_fd=frame.fd, bitrate_switch=frame.fd
+        )
+        self._messages[frame.id] = message
+        return message
+
+
+def open_gateway(can_bus: CanBus, across_processes: bool, fd: bool = False) -> Gateway:
+    """The bus that the rig asks for; DoorError says in one line why it cannot be had."""
+    address = choose(can_bus, across_processes, up_can_interfaces())
+    options: dict[str, object] = dict(address.options())
+    if fd and address.interface == "socketcan":
+        options["fd"] = True
+    try:
+        bus = can.Bus(**options)  # type: ignore[arg-type]
+    except Exception as error:  # python-can's back ends raise NameError, OSError and their own
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise DoorError(
+            f"can: cannot open {address.interface} '{address.channel}': {reason}"
+        ) from error
+    return Gateway(bus, address)
+
+
+def choose(can_bus: CanBus, across_processes: bool, kernel: list[str]) -> BusAddress:
+    """The address for a rig's bus section; kernel lists the CAN interfaces that are up."""
+    interface: str = can_bus.interface
+    if interface == "auto":
+        local = "udp_multicast" if across_processes else "virtual"
+        interface = "socketcan" if can_bus.channel in kernel or kernel else local
+    channel = can_bus.channel
+    if interface == "virtual" and across_processes:
+        raise DoorError("can: interface 'virtual' ends at the process; use 'udp_multicast'")
+    if interface == "socketcan" and not channel:
+        if not kernel:
+            raise DoorError("can: no kernel CAN interface is up (ip link add dev vcan0 type vcan)")
+        channel = kernel[0]
+    return BusAddress(interface, channel or _unique_channel(interface))
+
+
+def _unique_channel(interface: str) -> str:
+    """A channel of this run's own: two testbeds on one host must not hear each other."""
+    if interface == "virtual":
+        return f"hil-{uuid4().hex[:8]}"
+    port = free_udp_port()
+    return f"239.74.{port >> 8}.{port & 0xFF}:{port}"
+
+
+def _is_data(message: can.Message) -> bool:
+    return not (message.is_extended_id or message.is_remote_frame or message.is_error_frame)
