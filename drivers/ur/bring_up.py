@@ -19,6 +19,7 @@ PROGRAM_START: Final = 5 * NS  # 35 ms on an open connection, up to 0.6 s on a n
 PROGRAM_END: Final = 3 * NS  # the longest controlled stop plus a control cycle
 UNLOCK: Final = 10 * NS  # the controller refuses for 5 s after the stop
 RETRY: Final = NS // 2
+QUIET: Final = NS // 10  # ten times a slow network's delay
 
 Exchange: TypeAlias = Callable[[Command], Sample]
 """Sends one command, returns the next package."""
@@ -74,6 +75,7 @@ def start_program(exchange: Exchange, upload: Callable[[], None], sequence: int)
             raise fault(sample)
         return sample.follows and 0 < (sample.echo - sequence) & SEQUENCE_MASK < 1 << 30
 
+    _hold(exchange, QUIET)
     upload()
     started = wait_until(exchange, Command.HOLD, answers, PROGRAM_START)
     if started is None:
@@ -82,6 +84,17 @@ def start_program(exchange: Exchange, upload: Callable[[], None], sequence: int)
             "is the controller in remote control, and its log free of script errors?"
         )
     return started
+
+
+def _hold(exchange: Exchange, duration: int) -> None:
+    """Repeat HOLD for so many ns.
+
+    A LEAVE still on its way when the program starts would end it: there is no program yet that
+    could echo what has arrived.
+    """
+    end = exchange(Command.HOLD).t + duration
+    while exchange(Command.HOLD).t < end:
+        pass
 
 
 def release_stop(exchange: Exchange, dashboard: Dashboard) -> None:

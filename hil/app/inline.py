@@ -20,7 +20,7 @@ class InlineCell:
     def __init__(self, rig: Rig, seed: int, clock: str, *, record: bool = True) -> None:
         from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
 
-        self._cell: ServedCell = serve(rig, seed, across_processes=False)
+        self.served: ServedCell = serve(rig, seed, across_processes=False)
         self._clock = clock
         self._record = record
         self._entries: deque[Entry] = deque()
@@ -31,15 +31,15 @@ class InlineCell:
 
     @property
     def doors(self) -> Doors:
-        return self._cell.doors
+        return self.served.doors
 
     @property
     def description(self) -> str:
-        return f"cell in this process, {self._cell.describe()}"
+        return f"cell in this process, {self.served.describe()}"
 
     def truth(self) -> PlantStep:
         """The plant at the end of the last period."""
-        return self._cell.bench.truth
+        return self.served.bench.truth
 
     def take(self) -> list[Entry]:
         """Records made since the last call, oldest first."""
@@ -50,7 +50,7 @@ class InlineCell:
         self._stopped.set()
         if self._thread.ident is not None:
             self._thread.join()
-        self._cell.close()
+        self.served.close()
         if self._failure is not None:
             raise self._failure
         return self._report or CellReport(0, None, ())
@@ -58,10 +58,10 @@ class InlineCell:
     def _run(self) -> None:
         observe = self._keep if self._record else _ignore
         try:
-            self._report = pace(self._cell, self._clock, self._stopped.is_set, observe)
+            self._report = pace(self.served, self._clock, self._stopped.is_set, observe)
         except BaseException as error:
             self._failure = error
-            self._cell.close()  # so that whoever waits on a wire learns of it
+            self.served.close()  # so that whoever waits on a wire learns of it
 
     def _keep(self, tick: Tick) -> None:
         self._entries.extend(entries(tick))
@@ -74,7 +74,7 @@ class InlineCell:
         self._stopped.set()
         if self._thread.ident is not None:
             self._thread.join()
-        self._cell.close()
+        self.served.close()
 
 
 def _ignore(_: Tick) -> None:

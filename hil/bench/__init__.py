@@ -1,0 +1,1 @@
+"""How fast the whole loop runs on this machine, and where its time goes."""

@@ -50,7 +50,7 @@ def build_bench(rig: Rig, seed: int) -> Bench:
 def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
     """The cell with its doors open; raises DoorError, and leaves none open when one fails."""
     bench = build_bench(rig, seed)
-    gateway = open_gateway(rig.can, across_processes)
+    gateway = open_gateway(rig.can, across_processes, fd=rig.sensor.frames == "fd")
     robot = rig.robot
     server = UrServer(bench.arm, robot.ports, robot.host, rig.latency.rtde, stream(seed, "rtde"))
     try:

@@ -42,7 +42,7 @@ class Bench:
         bus: CanLinks,
         period: int,
     ) -> None:
-        self.arm, self._plant, self._node, self._geometry = arm, plant, node, geometry
+        self.arm, self.plant, self.node, self._geometry = arm, plant, node, geometry
         self._weight, self._length = tool.mass * G, tool.length
         self._can_in, self._can_out = bus
         self.period = period
@@ -54,11 +54,11 @@ class Bench:
         """One control period: the arm decides, physics moves, the sensor speaks."""
         target = self.arm.frame(self.t)
         stage = self._geometry.stage(target.flange)
-        self.truth = self._plant.step(StageTarget(*stage, target.jaws_closed), self.period)
+        self.truth = self.plant.step(StageTarget(*stage, target.jaws_closed), self.period)
         self.t += self.period
         for arrival, frame in self._can_in.due(self.t):
-            self._node.receive(frame, arrival)
-        self._can_out.extend(self._node.advance(self.t, self.truth.wrenches))
+            self.node.receive(frame, arrival)
+        self._can_out.extend(self.node.advance(self.t, self.truth.wrenches))
         flange = self._geometry.flange(self.truth.stage, target.flange, stage)
         self._feel(flange)
         return self.truth

@@ -38,17 +38,17 @@ class ServedCell:
     """Owns sockets and bus; `lockstep` or `wall` runs it in the caller's thread until stopped."""
 
     def __init__(self, bench: Bench, server: UrServer, gateway: Gateway, host: str) -> None:
-        self.bench, self._server, self._gateway = bench, server, gateway
+        self.bench, self.server, self.gateway = bench, server, gateway
         self._host = host
         self._step = 0
 
     @property
     def doors(self) -> Doors:
-        return Doors(self._host, self._server.ports, self._gateway.address)
+        return Doors(self._host, self.server.ports, self.gateway.address)
 
     def describe(self) -> str:
         """One line for people: which bus was taken."""
-        return self._gateway.describe()
+        return self.gateway.describe()
 
     def lockstep(self, stopped: Stopped, observe: Observer) -> None:
         """One period for each command of a client that writes inputs, no sleep.
@@ -58,11 +58,11 @@ class ServedCell:
         """
         edge = self.bench.t
         while not stopped():
-            self._server.poll(edge, WAKE)
-            if not self._server.take_commands():
+            self.server.poll(edge, WAKE)
+            if not self.server.take_commands():
                 continue
-            self._server.poll(edge, 0.0)
-            self._server.take_commands()
+            self.server.poll(edge, 0.0)
+            self.server.take_commands()
             edge = self._until_answerable(observe)
 
     def _until_answerable(self, observe: Observer) -> int:
@@ -70,7 +70,7 @@ class ServedCell:
         while True:
             self._tick()
             t = self.bench.t
-            due = self._server.next_due
+            due = self.server.next_due
             answerable = due is None or due < t + self.bench.period
             edge = t if due is None or not answerable else max(t, due)
             self._send(edge, observe)
@@ -82,7 +82,7 @@ class ServedCell:
         while not stopped():
             self._wait(schedule)
             schedule.begin()
-            self._server.poll(self.bench.t, 0.0)
+            self.server.poll(self.bench.t, 0.0)
             self._tick()
             self._send(self.bench.t, observe)
 
@@ -90,28 +90,28 @@ class ServedCell:
         """Serve the doors until the next period is due; packages leave when their delay is over."""
         while (remaining := schedule.remaining()) > 0:
             now = self.bench.t + self.bench.period - remaining
-            self._server.flush(now)
-            due = self._server.next_due
+            self.server.flush(now)
+            due = self.server.next_due
             pause = remaining if due is None else min(remaining, max(0, due - now))
-            self._server.poll(now, min(pause * 1e-9, WAKE))
-        self._server.take_commands()
+            self.server.poll(now, min(pause * 1e-9, WAKE))
+        self.server.take_commands()
 
     def _tick(self) -> None:
-        self.bench.put_on_bus(self._gateway.receive())
+        self.bench.put_on_bus(self.gateway.receive())
         self.bench.tick()
         self._step += 1
-        self._server.publish(self.bench.t, self._step)
+        self.server.publish(self.bench.t, self._step)
 
     def _send(self, edge: int, observe: Observer) -> None:
         """CAN goes out before RTDE, so the RTDE package is the edge of the period."""
         frames = self.bench.take_from_bus(edge)
-        self._gateway.send([frame for _, frame in frames])
-        self._server.flush(edge)
+        self.gateway.send([frame for _, frame in frames])
+        self.server.flush(edge)
         observe(Tick(self.bench.t, frames, self.bench.truth))
 
     def close(self) -> None:
-        self._server.close()
-        self._gateway.close()
+        self.server.close()
+        self.gateway.close()
 
     def __enter__(self) -> Self:
         return self

@@ -54,7 +54,7 @@ class Connector(Section):
     mating_force: Newtons = 4.0  # assumed
     mating_start: Metres = 0.8e-3  # assumed: depth at which the terminals begin to grip
     mating_ramp: Metres = 0.4e-3  # assumed: depth over which they reach the full force
-    position: tuple[Metres, Metres, Metres] = (0.45, -0.1, 0.05)
+    position: tuple[Metres, Metres, Metres] = (-0.45, -0.11, 0.05)
     """Middle of the slot's mouth in the robot's base frame."""
     rotation: Radians = 0.0
     """About the base's z."""

@@ -62,8 +62,14 @@ class Robot(Section):
     repeatability: Metres = 0.03e-3
     """Half width of the true pose's offset from the reported one, drawn anew at every grip."""
     home: tuple[Radians, Radians, Radians, Radians, Radians, Radians] = (
-        0.0, -1.5707963267948966, 1.5707963267948966, -1.5707963267948966, -1.5707963267948966, 0.0,
-    )  # fmt: skip
+        0.0,
+        -1.7174039840276597,
+        2.0751965473559977,
+        -1.9285888901232345,
+        -1.5707963267948966,
+        1.5707963267948966,
+    )
+    """Joint angles at power-up: the tool points down, beside the connector."""
     servo: Servo = Servo()
     safety: Safety = Safety()
     jaws: Jaws = Jaws()
