@@ -2,6 +2,7 @@
 
 import threading
 from contextlib import contextmanager
+from functools import partial
 from time import monotonic_ns
 
 import numpy as np
@@ -22,11 +23,11 @@ ZERO = (0.0,) * 6
 class EmulatedArm:
     """t: bench time, ns. sent: target joints of every period, to compare runs by."""
 
-    def __init__(self, robot, host="127.0.0.1"):
+    def __init__(self, robot, host="127.0.0.1", ports=FREE):
         self.controller = ArmController(robot, np.random.default_rng(1))
         self.period = robot.period
         self.sent = []
-        self.server = UrServer(self.controller, robot.ports, host, Link(), np.random.default_rng(2))
+        self.server = UrServer(self.controller, ports, host, Link(), np.random.default_rng(2))
         self.t = self._step = 0
         self._stopped = threading.Event()
 
@@ -80,16 +81,14 @@ class EmulatedArm:
 @pytest.fixture(params=["cb3", "e-series"])
 def robot(request):
     if request.param == "cb3":
-        return Robot(ports=FREE, repeatability="0 m")
-    return Robot(
-        model="ur5e", series="e-series", version="5.11.0.108249", ports=FREE, repeatability="0 m"
-    )
+        return Robot(repeatability="0 m")
+    return Robot(model="ur5e", series="e-series", version="5.11.0.108249", repeatability="0 m")
 
 
 @pytest.fixture
 def emulated_arm(robot):
     """Makes arms that are alike."""
-    return lambda host="127.0.0.1": EmulatedArm(robot, host)
+    return partial(EmulatedArm, robot)
 
 
 @pytest.fixture
