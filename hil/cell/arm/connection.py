@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final, Protocol
 
 from drivers.protocol.errors import WireError
+from hil.cell.errors import CellError
 
 MAX_BACKLOG: Final = 1 << 18
 """Bytes kept, beyond the kernel's own buffer, for a client that does not read: some 5 s of a
@@ -26,7 +27,7 @@ class Session(Protocol):
     def close(self) -> None: ...
 
 
-class Cut(Exception):  # noqa: N818 - an event, not a fault of the cell
+class Cut(CellError):  # noqa: N818 - an event, not a fault of the cell
     """The connection is over; the message says why."""
 
 
