@@ -107,7 +107,8 @@ def release_stop(exchange: Exchange, dashboard: Dashboard) -> None:
         dashboard.unlock_protective_stop()
         released = wait_until(exchange, Command.LEAVE, _released, RETRY)
         sample = released if released is not None else exchange(Command.LEAVE)
-    dashboard.stop()
+    if not _stopped(sample):  # a stop may leave the program paused, deaf to commands
+        dashboard.stop()
 
 
 def _stopped(sample: Sample) -> bool:

@@ -213,6 +213,15 @@ def test_recover_waits_out_the_controllers_refusals(connected, robot):
     assert connected.read().pose == POSE
 
 
+def test_recover_ends_a_program_that_the_stop_left_paused(connected, robot):
+    robot.safety_mode, robot.runtime_state = 3, 4
+    connected.hold()
+    with pytest.raises(ProtectiveStopError):
+        connected.read()
+    assert connected.recover().program_running
+    assert robot.dashboard_lines[-2:] == ["unlock protective stop", "stop"]
+
+
 def test_nothing_releases_a_protective_stop_by_itself(arm, robot):
     robot.safety_mode = 3
     with pytest.raises(ProtectiveStopError):
@@ -269,6 +278,20 @@ def test_a_caller_built_for_another_rate_is_refused(served):
 def test_the_period_is_unknown_before_connect():
     with pytest.raises(LinkError, match="once connected"):
         _ = UrArm("127.0.0.1").period
+
+
+def test_a_tap_hears_each_package_as_it_was_on_the_wire(served, robot):
+    heard = []
+    with UrArm("127.0.0.1", served.ports, tap=lambda *entry: heard.append(entry)) as arm:
+        arm.read()
+        heard.clear()
+        arm.servo(POSE)
+        t = arm.read().t
+    command, package = heard[:2]
+    values = robot.in_recipe.unpack(command[2][4:])
+    assert (command[1], values[0], values[2:8]) == (True, Command.SERVO, POSE)
+    assert package[:2] == (t, False)
+    assert robot.out_recipe.unpack(package[2][4:])[2] == POSE
 
 
 def test_a_refused_port_is_one_line_with_the_address(served):
