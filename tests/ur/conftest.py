@@ -64,7 +64,10 @@ class TinyRobot:
     def script(self, text):
         self.scripts.append(text)
         if self.starts_programs and text.endswith("end\n"):
-            self.runtime_state = 2
+            self.start()
+
+    def start(self):
+        self.runtime_state = 2
 
     def dashboard(self, line):
         self.dashboard_lines.append(line)

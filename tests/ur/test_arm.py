@@ -76,6 +76,14 @@ def test_the_start_is_limited_in_controller_time(arm, robot):
     assert 105.0 < robot.t < 106.0
 
 
+def test_no_leave_is_on_its_way_when_the_program_starts(arm, robot):
+    before_upload = []
+    robot.script = lambda text: (before_upload.extend(robot.commands), robot.start())
+    arm.connect()
+    quiet = round(0.1 / robot.period)
+    assert {command[0] for command in before_upload[-quiet:]} == {Command.HOLD}
+
+
 def test_a_foreign_program_is_not_replaced(arm, robot):
     robot.robot_mode, robot.runtime_state = 7, 4
     with pytest.raises(RobotStateError, match="another program"):
