@@ -33,7 +33,7 @@ def put_down(
     above = part.moved(dz=grip.height)
     yield from via(course, above, travel)
     yield from move(course, part, travel)
-    released = yield from release(course, gripper, grip)
+    released = yield from _let_go(course, gripper, grip)
     yield from move(course, above, travel)
     return released
 
@@ -41,6 +41,10 @@ def put_down(
 def release(course: Course, gripper: Gripper, grip: Grip) -> Phase[bool]:
     """Open the jaws where they are; whether they let go."""
     course.name = "release"
+    return (yield from _let_go(course, gripper, grip))
+
+
+def _let_go(course: Course, gripper: Gripper, grip: Grip) -> Phase[bool]:
     gripper.open()
     released = yield from _wait_for(course, gripper, False, grip.wait)
     yield from course.dwell(grip.open_time)

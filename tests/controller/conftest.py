@@ -252,11 +252,6 @@ class Cell:
         return [name for name, before in zip(names, [None, *names], strict=False) if name != before]
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def make_cell():
     return Cell
-
-
-@pytest.fixture
-def frame():
-    return FRAME

@@ -28,7 +28,7 @@ def press(law, stiffness, seconds, lag=True):
 @settings(deadline=None)
 @given(st.floats(1e3, 50e3), st.sampled_from([0.008, 0.002]))
 def test_damping_of_50_ms_times_stiffness_never_overshoots(stiffness, period):
-    law = Admittance(1.0, 0.05 * stiffness, period)
+    law = Admittance(1e-3 * 0.05 * stiffness, 0.05 * stiffness, period)  # m/b = 1 ms
     assert max(press(law, stiffness, 2.0)) <= 5.0 * 1.001
 
 

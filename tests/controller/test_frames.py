@@ -18,9 +18,7 @@ def rotated(rotation_vector, v):
     k = [r / a for r in rotation_vector]
     cross = [k[1] * v[2] - k[2] * v[1], k[2] * v[0] - k[0] * v[2], k[0] * v[1] - k[1] * v[0]]
     dot = sum(x * y for x, y in zip(k, v, strict=True))
-    return [
-        v[i] * cos(a) + cross[i] * sin(a) + k[i] * dot * (1 - cos(a)) for i in range(3)
-    ]
+    return [v[i] * cos(a) + cross[i] * sin(a) + k[i] * dot * (1 - cos(a)) for i in range(3)]
 
 
 @given(st.tuples(length, length, length), angle, length, length, length, angle)

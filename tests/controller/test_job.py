@@ -1,0 +1,136 @@
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise
+
+import pytest
+
+from controller import job as jobs
+from controller.action import Action
+from controller.guard import Limits
+from controller.outcome import Kind
+from controller.place import Place
+from controller.settings import Plan, Search
+
+PART = Place(-0.1, -0.05, 0.002, 0.0)
+PLAN = Plan(part=PART, start=Place(0.6e-3, -0.3e-3, 0.005, 0.0))
+
+
+class Walk:
+    """Plays a list of actions, then gives up; `seen` holds what it was shown."""
+
+    def __init__(self, *actions):
+        self.actions = list(actions)
+        self.seen = []
+
+    def choose(self, observation):
+        self.seen.append(observation)
+        return self.actions.pop(0) if self.actions else None
+
+
+HOME = (Action.MINUS_X, Action.MINUS_X, Action.PLUS_Y)
+
+
+@pytest.fixture
+def assemble(make_cell):
+    def run(policy, plan=PLAN, **world):
+        cell = make_cell(**{"slot": (0.0, 0.0), "part": PART, "at": (0.05, 0.0, 0.1, 0.2), **world})
+        job = partial(
+            jobs.assembly, plan=plan, sensor=cell.sensor, gripper=cell.gripper, policy=policy
+        )
+        return cell, cell.loop.run(job, Limits())
+
+    return run
+
+
+@pytest.mark.parametrize("rate", [125, 500])
+def test_a_part_is_fetched_inserted_and_left_in_the_slot(assemble, rate):
+    cell, outcome = assemble(Walk(*HOME), rate=rate)
+    assert (outcome.kind, outcome.steps) == (Kind.INSERTED, 3)
+    assert cell.phases() == [
+        "pick up", "approach", "tare", "contact", "search", "insert", "release", "retract",
+    ]  # fmt: skip
+    deepest = min(cycle.stage.z for cycle, _, phase in cell.seen if phase == "insert")
+    assert deepest < -PLAN.insertion.goal_depth
+    assert not cell.world.holding
+    assert cell.world.stage[2] == pytest.approx(PLAN.travel.height, abs=1e-3)
+
+
+def test_the_policy_sees_contact_force_and_place_before_each_step(assemble):
+    walk = Walk(*HOME)
+    assemble(walk)
+    assert [o.fz for o in walk.seen] == pytest.approx([5.0] * 3, abs=0.4)
+    assert [o.x for o in walk.seen] == pytest.approx([0.6e-3, 0.3e-3, 0.0], abs=1e-5)
+
+
+def test_a_step_is_ramped_over_48_ms(assemble):
+    cell, _ = assemble(Walk(Action.PLUS_X))
+    xs = [setpoint.x for _, setpoint, phase in cell.seen if phase == "search"]
+    steps = [b - a for a, b in pairwise(xs) if b != a]
+    assert steps == pytest.approx([PLAN.search.step / 6] * 5)
+
+
+def test_a_missing_part_is_no_grip(assemble):
+    cell, outcome = assemble(Walk(), part=Place(0.1, 0.1, 0.0, 0.0))
+    assert outcome.kind is Kind.NO_GRIP
+    assert cell.phases() == ["pick up"]
+
+
+def test_a_search_that_finds_nothing_ends_at_k_max_and_puts_the_part_back(assemble):
+    plan = replace(PLAN, search=Search(max_steps=5))
+    cell, outcome = assemble(Walk(*[Action.PLUS_X, Action.MINUS_X] * 10), plan, slot=None)
+    assert (outcome.kind, outcome.steps) == (Kind.LIMIT, 5)
+    assert cell.phases()[-1] == "put down"
+    assert not cell.world.holding
+
+
+def test_a_policy_that_gives_up_ends_the_search(assemble):
+    _, outcome = assemble(Walk(Action.PLUS_X), slot=None)
+    assert outcome.kind is Kind.LIMIT
+    assert outcome.reason == "the policy gave up after 1 steps"
+
+
+def test_a_tip_that_meets_the_slot_at_once_needs_no_step(assemble):
+    plan = replace(PLAN, start=Place(0.1e-3, 0.0, 0.005, 0.0))
+    _, outcome = assemble(Walk(), plan)
+    assert (outcome.kind, outcome.steps) == (Kind.INSERTED, 0)
+
+
+def test_a_jammed_part_is_drawn_out_and_tried_beside(make_cell, assemble):
+    plan = replace(PLAN, start=Place(0.0, 0.0, 0.005, 0.0))
+    plan = replace(plan, insertion=replace(plan.insertion, goal_depth=3.0e-3))  # below the floor
+    cell, outcome = assemble(Walk(Action.PLUS_X, Action.PLUS_X), plan)
+    assert outcome.kind is Kind.LIMIT
+    phases = cell.phases()
+    after = phases.index("draw out") + 1
+    assert phases[after : after + 2] == ["contact", "search"]
+
+
+def test_a_lateral_push_while_inserting_is_nulled(assemble):
+    cell, _ = assemble(Walk(*HOME), slot=(0.2e-3, -0.1e-3))
+    last = [cycle.wrench for cycle, _, phase in cell.seen if phase == "insert"][-1]
+    assert abs(last[0]) < 0.1
+    assert abs(last[1]) < 0.1
+
+
+def test_episodes_follow_each_other_with_one_grip(make_cell):
+    cell = make_cell(slot=(0.0, 0.0), part=PART, at=(0.05, 0.0, 0.1, 0.0))
+    assert (
+        cell.loop.run(partial(jobs.fetch, plan=PLAN, gripper=cell.gripper), Limits()).kind
+        is Kind.DONE
+    )
+    for _ in range(2):
+        run = partial(jobs.episode, plan=PLAN, sensor=cell.sensor, policy=Walk(*HOME))
+        assert cell.loop.run(run, Limits()).kind is Kind.INSERTED
+        assert cell.world.holding
+    back = partial(jobs.bring_back, plan=PLAN, gripper=cell.gripper)
+    assert cell.loop.run(back, Limits()).kind is Kind.DONE
+    assert not cell.world.holding
+
+
+def test_after_danger_the_arm_leaves_under_a_wider_bound(make_cell):
+    cell = make_cell(at=(0.0, 0.0, 0.01, 0.0))
+    cell.world.extra = (2.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    assert cell.loop.run(partial(jobs.leave, plan=PLAN), Limits()).kind is Kind.DANGER
+    wide = Limits(force_bound=(5.0, 5.0, 20.0, 2.0))
+    assert cell.loop.run(partial(jobs.leave, plan=PLAN), wide).kind is Kind.DONE
+    assert cell.world.stage[2] == pytest.approx(PLAN.travel.height, abs=1e-3)
