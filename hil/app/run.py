@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 
@@ -25,8 +26,11 @@ from hil.app.record import RunRecord, identity
 from hil.cell.rig import Rig
 from hil.recording.recorder import Recorder
 
-Watch = Callable[[Cycle, Course], None]
-"""Called in every control period, for screens; must be quick and must not block."""
+Watch = Callable[[Cycle, Course, RunningCell], None]
+"""Called in every control period, for screens and referees; must be quick and must not block.
+
+The cell stands still meanwhile in lockstep, so its truth belongs to the cycle.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,14 +88,14 @@ def run(request: Request, watch: Watch) -> Result:
     with ExitStack() as stack:
         recorder = _recorder(request, stack)
         cell = stack.enter_context(open_cell(request))
-        frame = task_frame(request.rig)
-        record = recorder and RunRecord(recorder, cell, frame, request.rig.robot.period)
+        frame, period = task_frame(request.rig), request.rig.robot.period
+        record = RunRecord(recorder, cell, frame, period) if recorder else None
         near = drivers(request.rig, cell.doors, record.rtde if record else None)
         stack.callback(near.sensor.close)
         stack.callback(near.arm.close)
         bring_up(near.arm, near.sensor)
         chosen = policy(request.policy, plan, request.seed, cell)
-        drive = _Drive(near, plan, chosen, record, watch)
+        drive = _Drive(near, plan, chosen, record, partial(_watch, watch, cell))
         outcome = Loop(near.arm, near.sensor, frame, observe=drive.observe).run(
             drive.job, limits(request.rig)
         )
@@ -110,11 +114,20 @@ def _recorder(request: Request, stack: ExitStack) -> Recorder | None:
     return recorder
 
 
+def _watch(watch: Watch, cell: RunningCell, cycle: Cycle, course: Course) -> None:
+    watch(cycle, course, cell)
+
+
 class _Drive:
     """The job with its observers: knows the course once the loop has begun it."""
 
     def __init__(
-        self, near: NearSide, plan: Plan, chosen: Policy, record: RunRecord | None, watch: Watch
+        self,
+        near: NearSide,
+        plan: Plan,
+        chosen: Policy,
+        record: RunRecord | None,
+        watch: Callable[[Cycle, Course], None],
     ) -> None:
         self.near, self._plan, self._policy = near, plan, chosen
         self.record, self._watch = record, watch

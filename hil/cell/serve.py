@@ -3,12 +3,13 @@
 from collections.abc import Callable
 from typing import NamedTuple, Self
 
+from drivers.protocol.bus_address import BusAddress
 from drivers.protocol.frame import CanFrame
 from hil.cell.arm.server import UrServer
 from hil.cell.bench import Bench
 from hil.cell.clock import Schedule
 from hil.cell.plant.interface import PlantStep
-from hil.cell.sensor.gateway import BusAddress, Gateway
+from hil.cell.sensor.gateway import Gateway
 
 WAKE = 0.05
 """How long, in wall seconds, a wait for commands lasts before the stop flag is looked at."""
