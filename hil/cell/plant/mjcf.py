@@ -33,7 +33,8 @@ def _set_options(spec: mujoco.MjSpec, step: float) -> None:
     option.timestep = step
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-    option.impratio = 10.0
+    # Creep while sticking goes as 1 / impratio: 0.92 um/s at 10, 0.31 at 30, at no measurable cost.
+    option.impratio = 30.0
     option.tolerance = 1e-10
     option.ccd_tolerance = 1e-9
     # A model that resets itself on NaN would hide the fault: the plant looks and raises instead.

@@ -2,48 +2,63 @@
 
 import mujoco
 
-from hil.cell.plant.mjcf_contact import connector_side
+from hil.cell.plant.mjcf_contact import ContactOptions, connector_side
 from hil.cell.rig.parts import Connector
 
 FACE_X, FACE_Y = 15e-3, 8e-3
 """Half widths of the face, m (assumed; a cable beyond them falls past the housing)."""
 BELOW = 3e-3
 """Housing below the slot's floor, m: thick, so that nothing tunnels through a thin wall."""
+HIDDEN = 3
+"""Geom group that MuJoCo does not draw by default."""
 RGBA = [0.85, 0.83, 0.78, 1.0]
 
 
 def add_connector(spec: mujoco.MjSpec, connector: Connector) -> None:
     """Put the connector into the world, the slot's mouth at the origin, facing +z."""
     body = spec.worldbody.add_body(name="connector")
-    for name, vertices in walls(connector).items():
-        spec.add_mesh(name=name, uservert=[c for vertex in vertices for c in vertex])
-        body.add_geom(
-            name=name, type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, rgba=RGBA,
-            **connector_side(connector),
-        )  # fmt: skip
+    touching, shown = connector_side(connector), ContactOptions(contype=0, conaffinity=0)
+    half_x, half_y = connector.width / 2, connector.height / 2
+    for sign in (-1, 1):
+        along = _prism(_section(connector, half_y, FACE_Y), sign, FACE_X, turned=True)
+        across = _prism(_section(connector, half_x, FACE_X), sign, FACE_Y, turned=False)
+        _add_wall(spec, body, f"wall_y{sign:+d}", along, touching)
+        # The walls overlap in the corners, where a picture would flicker: show only the ends.
+        _add_wall(spec, body, f"wall_x{sign:+d}", across, touching, group=HIDDEN)
+        end = _prism(
+            _section(connector, half_x, FACE_X), sign, half_y + connector.chamfer, turned=False
+        )
+        _add_wall(spec, body, f"end_x{sign:+d}", end, shown)
     body.add_geom(
         name="floor", type=mujoco.mjtGeom.mjGEOM_BOX, rgba=RGBA,
         pos=[0.0, 0.0, -connector.depth - BELOW / 2],
         size=[0.6 * connector.width, max(0.6 * connector.height, 1e-3), BELOW / 2],
-        **connector_side(connector),
+        **touching,
     )  # fmt: skip
 
 
-def walls(connector: Connector) -> dict[str, list[tuple[float, float, float]]]:
-    """Vertices of the four walls, m; each wall's inner edge at the face is a 45 degree chamfer."""
-    across = {"wall_+x": 1, "wall_-x": -1}
-    along = {"wall_+y": 1, "wall_-y": -1}
-    section_x = _section(connector, connector.width / 2, FACE_X)
-    section_y = _section(connector, connector.height / 2, FACE_Y)
-    prisms = {n: [(s * u, v, z) for v in (-FACE_Y, FACE_Y) for u, z in section_x]
-              for n, s in across.items()}  # fmt: skip
-    prisms |= {n: [(v, s * u, z) for v in (-FACE_X, FACE_X) for u, z in section_y]
-               for n, s in along.items()}  # fmt: skip
-    return prisms
+def _add_wall(
+    spec: mujoco.MjSpec, body: mujoco.MjsBody, name: str, vertices: list[float],
+    contact: ContactOptions, *, group: int = 0,
+) -> None:  # fmt: skip
+    spec.add_mesh(name=name, uservert=vertices)
+    body.add_geom(
+        name=name, type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, rgba=RGBA, group=group, **contact
+    )
+
+
+def _prism(
+    section: list[tuple[float, float]], sign: int, half_length: float, *, turned: bool
+) -> list[float]:
+    """Vertices of a wall: its section on one side of the slot, drawn out to both ends."""
+    ends = (-half_length, half_length)
+    if turned:
+        return [c for v in ends for u, z in section for c in (v, sign * u, z)]
+    return [c for v in ends for u, z in section for c in (sign * u, v, z)]
 
 
 def _section(connector: Connector, inner: float, outer: float) -> list[tuple[float, float]]:
-    """Cross-section of a wall: (distance from the slot's middle plane, z)."""
+    """Cross-section of a wall with its 45 degree chamfer: (distance from the slot's middle, z)."""
     bottom = -connector.depth - BELOW
     chamfer = connector.chamfer
     return [

@@ -12,7 +12,7 @@ CABLE, CONNECTOR = 1, 2
 """Collision bits; cable segments do not touch each other."""
 
 
-class ContactOptions(TypedDict):
+class ContactOptions(TypedDict, total=False):
     """Keyword arguments of MjsBody.add_geom that make a geom touch."""
 
     contype: int

@@ -3,7 +3,7 @@
 import mujoco
 
 CLOSE_UP = "close_up"
-"""Camera that looks at the slot from 4 cm, over the cable's broad side."""
+"""Camera that looks at the slot from 5 cm, over the cable's broad side."""
 
 
 def add_scenery(spec: mujoco.MjSpec) -> None:
@@ -14,5 +14,17 @@ def add_scenery(spec: mujoco.MjSpec) -> None:
     spec.stat.center = [0.0, 0.0, 0.0]
     spec.worldbody.add_light(pos=[0.05, -0.1, 0.1], dir=[-0.4, 0.8, -0.8])
     spec.worldbody.add_camera(
-        name=CLOSE_UP, pos=[0.018, -0.030, 0.018], quat=[0.7865, 0.4926, 0.1969, 0.3143]
+        name=CLOSE_UP,
+        pos=[0.022, -0.036, 0.022],
+        mode=mujoco.mjtCamLight.mjCAMLIGHT_TARGETBODY,
+        targetbody="connector",
+    )
+    spec.add_texture(
+        name="sky",
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        rgb1=[0.75, 0.80, 0.85],
+        rgb2=[0.35, 0.38, 0.42],
+        width=64,
+        height=64,
     )
