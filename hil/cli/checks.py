@@ -101,10 +101,10 @@ def _oversleep() -> float:
     return time.perf_counter() - start - 1e-3
 
 
-def ports() -> Finding:
-    taken = [port for port in PORTS if not _free(port)]
+def ports(wanted: range = PORTS) -> Finding:
+    taken = [port for port in wanted if not _free(port)]
     if not taken:
-        return Finding("ports", Verdict.OK, f"{PORTS[0]}-{PORTS[-1]} free on 127.0.0.1")
+        return Finding("ports", Verdict.OK, f"{wanted[0]}-{wanted[-1]} free on 127.0.0.1")
     advice = "set robot.ports to 0 to take free ones"
     return Finding("ports", Verdict.LIMITED, f"in use: {', '.join(map(str, taken))}", advice)
 

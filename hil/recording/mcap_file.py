@@ -46,7 +46,11 @@ class McapFile:
 
     def __init__(self, file: BinaryIO, identity: Identity) -> None:
         self._stream = DigestingStream(file)
-        self._writer = Writer(self._stream, chunk_size=CHUNK)  # type: ignore[arg-type]  # duck-typed
+        self._writer = Writer(
+            self._stream,  # type: ignore[arg-type]  # it asks for a file, it needs write and tell
+            chunk_size=CHUNK,
+            enable_data_crcs=True,
+        )
         self._writer.start(profile="", library="hil-testbed")
         self._writer.add_metadata("run", identity.metadata())
         self._writer.add_metadata("versions", versions())

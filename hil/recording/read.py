@@ -16,6 +16,12 @@ from mcap.stream_reader import StreamReader
 from hil.recording.errors import RecordingError
 from hil.recording.folder import NAME, PART
 
+DAMAGE = (
+    McapError, ValueError, LookupError, OverflowError, MemoryError, EOFError, struct.error,
+    zstandard.ZstdError,
+)  # fmt: skip
+"""What the MCAP parser raises on bent bytes: it trusts lengths and names that it reads."""
+
 
 class Message(NamedTuple):
     """t: bench time, ns. sequence: index within the topic. payload: JSON."""
@@ -76,12 +82,15 @@ def _records(file: Path, content: bytes) -> tuple[list[records.McapRecord], str]
     # A stream reader, since a file cut short has no index; checksums tell damage from content.
     stream = StreamReader(io.BytesIO(content), validate_crcs=True)
     try:
+        in_data = True  # what follows DataEnd repeats: an index, outside the checksums
         for record in stream.records:
-            found.append(record)  # keeps what came before an exception
+            in_data = in_data and not isinstance(record, records.DataEnd)
+            if in_data:
+                found.append(record)
     except InvalidMagic:
         if not found:
             raise RecordingError(f"{file}: is not an MCAP recording") from None
-    except (McapError, ValueError, struct.error, zstandard.ZstdError, EOFError):
+    except DAMAGE:
         pass
     else:
         return found, ""

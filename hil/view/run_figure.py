@@ -2,6 +2,7 @@
 
 from io import BytesIO
 from itertools import cycle
+from typing import Literal
 
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -59,7 +60,7 @@ def _normal(axes: Axes, controller: Control, plant: Truth, window: Window, rig: 
         axes.axhline(desired, color="black", linestyle=":", label=f"$f_d$ = {desired:g} N")
         axes.axhline(bound, color=RED, linestyle="--", label=f"$f_b$ = {bound:g} N")
     axes.set_ylabel("normal force / N")
-    axes.legend(loc="upper left", fontsize=8, framealpha=0.9)
+    _legend(axes, "upper left")
 
 
 def _lateral(axes: Axes, controller: Control, window: Window, rig: Rig | None) -> None:
@@ -72,7 +73,7 @@ def _lateral(axes: Axes, controller: Control, window: Window, rig: Rig | None) -
         axes.axhline(bound, color=RED, linestyle="--", label=f"$f_b$ = {bound:g} N")
         axes.axhline(-bound, color=RED, linestyle="--")
     axes.set_ylabel("lateral force / N")
-    axes.legend(loc="upper left", fontsize=8, framealpha=0.9)
+    _legend(axes, "upper left")
 
 
 def _depth(axes: Axes, controller: Control, plant: Truth, window: Window, rig: Rig | None) -> None:
@@ -89,7 +90,14 @@ def _depth(axes: Axes, controller: Control, plant: Truth, window: Window, rig: R
         goal = -rig.task.goal_depth * 1e3
         axes.axhline(goal, color="black", linestyle=":", label=f"goal = {goal:g} mm")
     axes.set_ylabel("above the face / mm")
-    axes.legend(loc="upper right", fontsize=8, framealpha=0.9)
+    _legend(axes, "upper right")
+
+
+def _legend(axes: Axes, place: Literal["upper left", "upper right"]) -> None:
+    """One row above the curves."""
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.18 * (high - low))
+    axes.legend(loc=place, ncols=4, fontsize=8, framealpha=0.9)
 
 
 def _mark_phases(axes: Axes, controller: Control, window: Window, *, named: bool) -> None:

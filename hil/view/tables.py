@@ -56,7 +56,8 @@ def of_comparison(comparison: Comparison) -> str:
         return "\n".join([*lines, "all messages are the same"]) + "\n"
     place = f"{first.topic} at {first.t * 1e-9:.9f} s"
     where = f"{place}, {first.field}" if first.field else place
-    lines += [f"first difference: {where}", f"  {first.left}", f"  {first.right}"]
+    sides = (_cut(side) for side in (first.left, first.right))
+    lines += [f"first difference: {where}", *(f"  {side}" for side in sides)]
     return "\n".join(lines) + "\n"
 
 
@@ -83,6 +84,10 @@ def of_findings(found: "Sequence[Finding]") -> str:
         advice = f"\n-> {entry.advice}" if entry.advice else ""
         table.add_row(entry.name, entry.verdict.value, entry.found + advice)
     return _text(table)
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= WIDTH else f"{text[: WIDTH - 4]} ..."
 
 
 def _shown(value: str | float | None) -> str:
