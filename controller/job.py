@@ -43,24 +43,30 @@ def attempt(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Polic
     if plan.tare_samples:
         yield from tare(course, sensor, plan.tare_samples)
     axis = ForceAxis(plan.press, course.period)
-    while course.steps < plan.search.max_steps:
+    while True:
         touch = yield from contact(course, axis, plan)
         if touch is None:
             return Ending(Kind.FAULT, "the contact force did not settle on the connector's face")
         found = Found.SLOT
         if not touch.in_slot:
             found = yield from search(course, axis, touch.face, policy, plan)
-        if found is Found.GIVEN_UP:
-            return Ending(Kind.LIMIT, f"the policy gave up after {course.steps} steps")
-        if found is Found.LIMIT:
-            break
+        if found is not Found.SLOT:
+            return _limit(course, found)
         if (yield from insert(course, axis, touch.face, plan.insertion)) is Inserted.GOAL:
             return Ending(Kind.INSERTED, f"goal depth reached after {course.steps} steps")
         # A jammed part stays jammed however often it is pushed: out, one step on, and down again.
         yield from draw_out(course, plan.insertion)
-        yield from take_step(course, None, policy, plan.search)
+        if course.steps >= plan.search.max_steps:
+            return _limit(course, Found.LIMIT)
+        if not (yield from take_step(course, None, policy, plan.search)):
+            return _limit(course, Found.GIVEN_UP)
         axis = ForceAxis(plan.press, course.period)
-    return Ending(Kind.LIMIT, f"no insertion within {plan.search.max_steps} steps")
+
+
+def _limit(course: Course, found: Found) -> Ending:
+    if found is Found.GIVEN_UP:
+        return Ending(Kind.LIMIT, f"the policy gave up after {course.steps} steps")
+    return Ending(Kind.LIMIT, f"no insertion within {course.steps} steps")
 
 
 def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:

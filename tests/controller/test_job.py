@@ -100,6 +100,7 @@ def test_a_jammed_part_is_drawn_out_and_tried_beside(make_cell, assemble):
     plan = replace(plan, insertion=replace(plan.insertion, goal_depth=3.0e-3))  # below the floor
     cell, outcome = assemble(Walk(Action.PLUS_X, Action.PLUS_X), plan)
     assert outcome.kind is Kind.LIMIT
+    assert outcome.steps == 2
     phases = cell.phases()
     after = phases.index("draw out") + 1
     assert phases[after : after + 2] == ["contact", "search"]
@@ -134,3 +135,10 @@ def test_after_danger_the_arm_leaves_under_a_wider_bound(make_cell):
     wide = Limits(force_bound=(5.0, 5.0, 20.0, 2.0))
     assert cell.loop.run(partial(jobs.leave, plan=PLAN), wide).kind is Kind.DONE
     assert cell.world.stage[2] == pytest.approx(PLAN.travel.height, abs=1e-3)
+
+
+def test_a_jammed_part_never_takes_more_steps_than_allowed(assemble):
+    plan = replace(PLAN, start=Place(0.0, 0.0, 0.005, 0.0), search=Search(max_steps=1))
+    plan = replace(plan, insertion=replace(plan.insertion, goal_depth=3.0e-3))
+    _, outcome = assemble(Walk(*[Action.PLUS_THETA] * 10), plan)
+    assert (outcome.kind, outcome.steps) == (Kind.LIMIT, 1)
