@@ -47,6 +47,7 @@ class Assembler:
         self._halves: list[_Half] = []
         self._last: int | None = None
         self._last_t = 0
+        self._synchronised = False
         self.pairs = self.gaps = self.duplicates = self.torn = self.malformed = 0
         self.last_error = ""
 
@@ -54,21 +55,24 @@ class Assembler:
         """Forget counter and halves, as after a node reset; the counts of losses stay."""
         self._halves.clear()
         self._last = None
+        self._synchronised = False
 
     def synchronise(self, sample_count: int, t: int) -> None:
         """Take the number of samples sent from a STATUS that arrived at t."""
         newest = sample_count - 1
-        if self._last is None or abs(newest - self._last) >= self._modulus // 2:
-            self.gaps += max(0, newest - self._last) if self._last is not None else 0
+        last = newest if self._last is None else self._last
+        if not self._synchronised or abs(newest - last) >= self._modulus // 2:
+            self.gaps += max(0, newest - last)
             self._last = newest
             self._halves.clear()
-        self._last_t = t
+        self._synchronised, self._last_t = True, t
 
     def accept(self, frame: CanFrame, t: int) -> NumberedSample | None:
         """The sample that this data frame completes at arm time t, if it does."""
         if frame.fd != self._fd:
             self._reject(f"frame {frame.id:#x} is {'' if frame.fd else 'not '}CAN FD")
             return None
+        self._synchronised = self._synchronised and t - self._last_t <= OUTAGE
         try:
             sample = self._complete(frame, t)
         except ProtocolError as error:
@@ -97,11 +101,12 @@ class Assembler:
         return None
 
     def _wait(self, half: _Half) -> None:
-        if self._last is not None and self._distance(half.counter, self._last) <= 0:
-            # Its sample is complete already, or its turn is over.
-            self.duplicates += self._distance(half.counter, self._last) == 0
-            self.torn += self._distance(half.counter, self._last) != 0
-            return
+        if self._last is not None and self._synchronised:
+            step = self._distance(half.counter, self._last)
+            self.duplicates += step == 0  # its sample is complete already
+            self.torn += step < 0  # its turn is over
+            if step <= 0:
+                return
         self._halves.append(half)
         if len(self._halves) > WINDOW:
             del self._halves[0]
@@ -109,8 +114,7 @@ class Assembler:
 
     def _number(self, sample: Sample, t: int) -> NumberedSample | None:
         last = self._last
-        if last is None or t - self._last_t > OUTAGE:
-            self._last = None
+        if last is None or not self._synchronised:
             return None
         step = self._distance(sample.counter, last)
         if step <= 0:

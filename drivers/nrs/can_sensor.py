@@ -1,9 +1,10 @@
 """The force/torque sensor on CAN, as drivers.interfaces.ForceTorqueSensor."""
 
+from functools import partial
 from typing import Final
 
 from drivers.interfaces import SensorHealth, WrenchReading
-from drivers.nrs.bus import standard_frame
+from drivers.nrs.bus import open_bus, standard_frame
 from drivers.nrs.link import Link
 from drivers.nrs.session import Session
 from drivers.protocol.bus_address import BusAddress
@@ -29,7 +30,7 @@ class CanSensor:
         period_ns: int = 1_000_000,
         background: bool = False,
     ) -> None:
-        self._link = Link(BusAddress(interface, channel), fd, background)
+        self._link = Link(partial(open_bus, BusAddress(interface, channel), fd), background)
         self._session = Session(node, fd, period_ns, max_age_ns)
         self._heard: int | None = None
         self._last_error = ""

@@ -1,22 +1,24 @@
 """One open bus with its optional receive thread, and the way back when it fails."""
 
+from collections.abc import Callable
 from contextlib import suppress
 
 import can
 
 from drivers.errors import LinkError
-from drivers.nrs.bus import drain, open_bus, send
+from drivers.nrs.bus import drain, send
 from drivers.nrs.receiver import Receiver
-from drivers.protocol.bus_address import BusAddress
 from drivers.protocol.frame import CanFrame
 
 
 class Link:
-    """Open from the first `open` on; a failing bus is reopened once per call that meets it."""
+    """Open from the first `open` on; a failing bus is reopened once per call that meets it.
 
-    def __init__(self, address: BusAddress, fd: bool, background: bool) -> None:
-        self._address = address
-        self._fd = fd
+    opener: gives a fresh bus, or raises LinkError.
+    """
+
+    def __init__(self, opener: Callable[[], can.BusABC], background: bool) -> None:
+        self._opener = opener
         self._background = background
         self._bus: can.BusABC | None = None
         self._receiver: Receiver | None = None
@@ -29,7 +31,7 @@ class Link:
 
     def open(self) -> None:
         """Raises LinkError."""
-        self._bus = open_bus(self._address, self._fd)
+        self._bus = self._opener()
         self._receiver = Receiver(self._bus) if self._background else None
 
     def close(self) -> None:
@@ -70,7 +72,7 @@ class Link:
             try:
                 send(self._opened(), frame)
             except (can.CanError, OSError) as again:
-                raise LinkError(f"CAN {self._address.channel}: cannot send: {again}") from again
+                raise LinkError(f"CAN: cannot send: {again}") from again
 
     def _opened(self) -> can.BusABC:
         if self._bus is None:

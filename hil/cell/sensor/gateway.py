@@ -73,10 +73,10 @@ class Gateway:
 def open_gateway(can_bus: CanBus, across_processes: bool, fd: bool = False) -> Gateway:
     """The bus that the rig asks for; DoorError says in one line why it cannot be had."""
     address = choose(can_bus, across_processes, up_can_interfaces())
-    options: dict[str, object] = dict(address.options())
-    if fd and address.interface == "socketcan":
-        options["fd"] = True
     try:
+        options: dict[str, object] = dict(address.options())
+        if fd and address.interface == "socketcan":
+            options["fd"] = True
         bus = can.Bus(**options)  # type: ignore[arg-type]
     except Exception as error:  # python-can's back ends raise NameError, OSError and their own
         reason = " ".join(str(error).split()) or type(error).__name__
