@@ -1,6 +1,6 @@
 """The limits that end a run safely, checked every period before and after the phase."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import dist, isfinite
 
 from controller.cycle import Cycle
@@ -26,6 +26,11 @@ class Limits:
     step_rotation: float = 0.0174532925199433
     speed: float = 0.3
     sample_age: int = 10_000_000
+
+    def relaxed(self, factor: float = 3.0) -> "Limits":
+        """The same with wider force bounds: for leaving a contact, never for making one."""
+        fx, fy, fz, tau_z = (bound * factor for bound in self.force_bound)
+        return replace(self, force_bound=(fx, fy, fz, tau_z))
 
 
 class Guard:

@@ -19,8 +19,8 @@ def assembly(
 ) -> Phase[Ending]:
     """Pick up the part, insert it, leave it there; a part that would not go in is put back."""
     if not (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
-        return Ending(Kind.NO_GRIP, f"no part sensed within {plan.grip.wait} s of closing the jaws")
-    ending = yield from attempt(course, plan, sensor, policy)
+        return _no_grip(plan)
+    ending = yield from episode(course, plan, sensor, policy)
     if ending.kind is Kind.INSERTED:
         yield from release(course, gripper, plan.grip)
     yield from retract(course, plan.travel)
@@ -30,20 +30,39 @@ def assembly(
 
 
 def episode(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Policy) -> Phase[Ending]:
-    """One attempt with the part already in the jaws; it is drawn out again at the end."""
-    ending = yield from attempt(course, plan, sensor, policy)
-    yield from retract(course, plan.travel)
-    return ending
+    """One attempt with the part already in the jaws; the tool stays where it ended.
 
-
-def attempt(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Policy) -> Phase[Ending]:
-    """Go to the start, touch, search and insert; ends where it ended."""
+    `leave` under relaxed limits follows it, so that drawing the part out cannot change the verdict.
+    """
     course.steps = 0
     yield from approach(course, plan.start, plan.travel)
     if plan.tare_samples:
         yield from tare(course, sensor, plan.tare_samples)
-    axis = ForceAxis(plan.press, course.period)
+    return (yield from _find_and_insert(course, plan, policy))
+
+
+def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
+    """Pick up the part and stop above its fixture."""
+    if (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
+        return Ending(Kind.DONE, "part gripped")
+    return _no_grip(plan)
+
+
+def bring_back(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
+    """Put the part back into its fixture."""
+    yield from put_down(course, gripper, plan.part, plan.grip, plan.travel)
+    return Ending(Kind.DONE, "part put down")
+
+
+def leave(course: Course, plan: Plan) -> Phase[Ending]:
+    """Retract from wherever an episode or a stop left the tool; wants `Limits.relaxed`."""
+    yield from retract(course, plan.travel)
+    return Ending(Kind.DONE, "retracted")
+
+
+def _find_and_insert(course: Course, plan: Plan, policy: Policy) -> Phase[Ending]:
     while True:
+        axis = ForceAxis(plan.press, course.period)
         touch = yield from contact(course, axis, plan)
         if touch is None:
             return Ending(Kind.FAULT, "the contact force did not settle on the connector's face")
@@ -60,7 +79,6 @@ def attempt(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Polic
             return _limit(course, Found.LIMIT)
         if not (yield from take_step(course, None, policy, plan.search)):
             return _limit(course, Found.GIVEN_UP)
-        axis = ForceAxis(plan.press, course.period)
 
 
 def _limit(course: Course, found: Found) -> Ending:
@@ -69,20 +87,5 @@ def _limit(course: Course, found: Found) -> Ending:
     return Ending(Kind.LIMIT, f"no insertion within {course.steps} steps")
 
 
-def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
-    """Pick up the part and stop above its fixture."""
-    if (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
-        return Ending(Kind.DONE, "part gripped")
+def _no_grip(plan: Plan) -> Ending:
     return Ending(Kind.NO_GRIP, f"no part sensed within {plan.grip.wait} s of closing the jaws")
-
-
-def bring_back(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
-    """Put the part back into its fixture."""
-    yield from put_down(course, gripper, plan.part, plan.grip, plan.travel)
-    return Ending(Kind.DONE, "part put down")
-
-
-def leave(course: Course, plan: Plan) -> Phase[Ending]:
-    """Retract from wherever a stop left the tool; to be run under `Limits` with a wider bound."""
-    yield from retract(course, plan.travel)
-    return Ending(Kind.DONE, "retracted")

@@ -103,6 +103,8 @@ def test_a_refused_set_point_does_not_count_as_sent(guard):
 
 
 def test_a_wider_bound_lets_a_stopped_arm_leave():
-    limits = Limits()
-    wide = replace(limits, force_bound=tuple(3 * bound for bound in limits.force_bound))
-    Guard(wide, PERIOD).check(cycle((2.0, 0.0, 0.0, 0.0, 0.0, 0.0)))
+    wide = Limits().relaxed(2.0)
+    Guard(wide, PERIOD).check(cycle((2.9, 0.0, 0.0, 0.0, 0.0, 0.0)))
+    with pytest.raises(GuardTrip):
+        Guard(wide, PERIOD).check(cycle((3.1, 0.0, 0.0, 0.0, 0.0, 0.0)))
+    assert replace(wide, force_bound=Limits().force_bound) == Limits()
