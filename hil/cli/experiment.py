@@ -5,10 +5,7 @@ from typing import Annotated
 import typer
 
 from hil.cli.errors import FAILED
-from hil.cli.options import Json, PolicyName, PolicyOption, Seed
-
-RigOption = Annotated[str, typer.Option(metavar="RIG", help="A rig file or a shipped rig's name.")]
-DEFAULT_RIG = "ffc_ur5"
+from hil.cli.options import DEFAULT_RIG, Json, PartName, PolicyName, PolicyOption, RigOption, Seed
 
 
 def build() -> typer.Typer:
@@ -51,11 +48,14 @@ def insertion(
     seeds: Annotated[int, typer.Option(min=1, help="How many runs.")] = 20,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the first run.")] = 1,
     policy: PolicyOption = PolicyName.POSE,
+    part: PartName = "FFC1",
     json: Json = False,
-) -> int:
-    """Success rate, steps and forces of insertion over seeds, with intervals."""
+) -> None:
+    """Success rate and steps of insertion over seeds, with the 95 % interval."""
     from hil.cli.shipped import read  # noqa: PLC0415
-    from hil.experiments.insertion import run  # noqa: PLC0415
+    from hil.experiments.insertion import rows, summary  # noqa: PLC0415
+    from hil.view import tables  # noqa: PLC0415
 
-    found, content = read(rig)
-    return run(found, content, seeds=seeds, seed=seed, policy=policy.value, json=json)
+    found, _ = read(rig)
+    runs = list(rows(found, part, policy.value, range(seed, seed + seeds)))
+    typer.echo(tables.of_insertions(runs, summary(runs), json=json), nl=False)

@@ -27,6 +27,11 @@ class PolicyName(StrEnum):
 RigName: TypeAlias = Annotated[
     str, typer.Argument(metavar="RIG", help="A rig file, or the name of a shipped rig.")
 ]
+DEFAULT_RIG = "ffc_ur5"
+RigOption: TypeAlias = Annotated[
+    str, typer.Option(metavar="RIG", help="A rig file, or the name of a shipped rig.")
+]
+PartName: TypeAlias = Annotated[str, typer.Option(help="Which part of the fixture to assemble.")]
 Json: TypeAlias = Annotated[bool, typer.Option("--json", help="Print one JSON object.")]
 Seed: TypeAlias = Annotated[
     int | None, typer.Option(min=0, help="Seed of every random draw; the rig's unless given.")

@@ -42,7 +42,7 @@ class Summary:
     """One run in numbers: s, N, m. None where the run has no such thing.
 
     f_z: least and largest period mean along the task's z. slot_found: when the tip first entered.
-    depth: the tip's last depth below the face. outcome: the last event that says how it ended.
+    depth: the tip's greatest depth below the face. outcome: the last event that says how it ended.
     """
 
     seed: str
@@ -111,7 +111,7 @@ def _events(messages: Iterable[Message]) -> Iterator[Occurrence]:
 
 
 def _depth(plant: Truth) -> float | None:
-    return float(plant.depth[-1]) if len(plant.t) else None
+    return float(plant.depth.max()) if len(plant.t) else None
 
 
 def _normal_force(controller: Control) -> tuple[float, float] | None:

@@ -116,7 +116,7 @@ def _mark_slot(panels: tuple[Axes, ...], t: float) -> None:
     for axes in panels:
         axes.axvline(t, color=ORANGE, linewidth=1.0)
     panels[0].annotate(
-        "slot found", (t, 0.02), xycoords=panels[0].get_xaxis_transform(), xytext=(4, 2),
+        "slot found", (t, 0.66), xycoords=panels[0].get_xaxis_transform(), xytext=(4, 2),
         textcoords="offset points", fontsize=8, color=ORANGE,
     )  # fmt: skip
 

@@ -12,7 +12,10 @@ from hil.recording.diff import Comparison
 from hil.recording.summary import Summary, timeline
 
 if TYPE_CHECKING:
+    from hil.bench.run import Measured
     from hil.cli.checks import Finding
+    from hil.experiments.insertion import Row as Insertion
+    from hil.experiments.insertion import Summary as InsertionSummary
     from hil.experiments.row import Row
 
 WIDTH = 110
@@ -38,7 +41,7 @@ def facts(summary: Summary) -> list[tuple[str, str]]:
         ("recording", summary.ending or "complete"),
         ("bench time", f"{summary.duration:.3f} s"),
         ("slot found", "never" if slot is None else f"{slot:.3f} s"),
-        ("depth at the end", "-" if depth is None else f"{depth * 1e3:.3f} mm"),
+        ("depth reached", "-" if depth is None else f"{depth * 1e3:.3f} mm"),
         ("f_z, period means", "-" if f_z is None else f"{f_z[0]:.2f} to {f_z[1]:.2f} N"),
         ("guard trips", str(summary.guard_trips)),
         ("deadlines missed", f"{summary.misses} (bench time)"),
@@ -75,6 +78,34 @@ def of_rows(rows: "Sequence[Row]", *, json: bool) -> str:
     for row in rows:
         table.add_row(*row[:4], "ok" if row.passed else "FAILED")
     return _text(table)
+
+
+def of_bench(measured: "Sequence[Measured]") -> str:
+    """Real-time factor of each case, and where a period's CPU time goes."""
+    table = _table("case", "x real time", "periods", "memory / MB", "CPU of a period / us")
+    for entry in measured:
+        parts = ", ".join(f"{name} {spent:.0f}" for name, spent in entry.parts.items())
+        speed, memory = f"{entry.real_time_factor:.1f}", f"{entry.memory_mb:.0f}"
+        table.add_row(entry.case.name, speed, str(entry.periods), memory, parts or "-")
+    return _text(table)
+
+
+def of_insertions(runs: "Sequence[Insertion]", summary: "InsertionSummary", *, json: bool) -> str:
+    """Each run's ending, then what the series shows."""
+    if json:
+        return as_json({"runs": runs, "summary": summary})
+    table = _table("seed", "ending", "steps", "t / s", "x real time", "reason")
+    for run in runs:
+        cells = (f"{run.seconds:.2f}", f"{run.real_time_factor:.1f}", run.reason)
+        table.add_row(str(run.seed), run.kind, str(run.steps), *cells)
+    low, high = 100 * summary.success_low, 100 * summary.success_high
+    shown = [
+        ("inserted", f"{summary.inserted} of {summary.runs}"),
+        ("success", f"{100 * summary.success:.0f} %, 95 % interval {low:.0f} to {high:.0f} %"),
+        ("steps, median", f"{summary.steps_median:g}"),
+        ("endings", ", ".join(f"{kind} {n}" for kind, n in sorted(summary.endings.items()))),
+    ]
+    return _text(table, _facts(shown))
 
 
 def of_findings(found: "Sequence[Finding]") -> str:

@@ -7,6 +7,9 @@ import numpy as np
 from hil.recording.series import Array, Control, Truth
 from hil.recording.summary import Span, spans
 
+FIRST, LAST = "contact", "retract"
+"""Phases at which the picture begins and ends."""
+
 
 class Window(NamedTuple):
     """The stretch shown, s."""
@@ -19,20 +22,25 @@ class Window(NamedTuple):
 
 
 def assembly(controller: Control, plant: Truth) -> Window:
-    """From the last approach to the end; the whole run when there was no approach."""
+    """From the last lowering onto the face to the retreat; the whole run when it never came so far.
+
+    The way there and back is a hundred times longer than the slot is deep: it would hide it.
+    """
     t = controller.t if len(controller.t) else plant.t
     if not len(t):
         return Window(0.0, 0.0)
-    approaches = [span for span in spans(controller.t, controller.phase) if span.name == "approach"]
-    return Window(approaches[-1].start if approaches else float(t[0]), float(t[-1]))
+    named = spans(controller.t, controller.phase)
+    start = max((span.start for span in named if span.name == FIRST), default=float(t[0]))
+    ends = (span.start for span in named if span.name == LAST and span.start > start)
+    return Window(start, min(ends, default=float(t[-1])))
 
 
 def phases(controller: Control, window: Window) -> list[Span]:
     """The window's phases, clipped to it."""
     return [
-        Span(span.name, max(span.start, window.start), span.end)
+        Span(span.name, max(span.start, window.start), min(span.end, window.end))
         for span in spans(controller.t, controller.phase)
-        if span.end > window.start
+        if span.end > window.start and span.start < window.end
     ]
 
 

@@ -58,7 +58,9 @@ def _period(k):
     wrenches[:, 2] = -f_z - 5.9  # sensor frame, with the tool's weight
     part = PartTruth("FFC1", (0.0, 0.0, -depth), 0.0, depth, (0.0, 0.0, 0.0), contact)
     step = PlantStep(wrenches, (0.0, 0.0, -depth, 0.0), (0.0,) * 4, part)
-    phase = "pick up" if k < 10 else "approach" if k < FIRST_FACE else "search"
+    phase = (
+        "pick up" if k < 10 else "contact" if k < FIRST_FACE else "search" if k < 55 else "retract"
+    )
     seen = (0.1, -0.1, f_z, 0.0, 0.0, 0.0)
     packed = control.encode(phase, k, (0.0,) * 6, seen, (0.0, 0.0, -depth, 0.0))
     t = (k + 1) * STEP

@@ -10,8 +10,13 @@ from hil.recording.summary import Span, summarise, timeline
 
 
 def test_a_summary_names_phases_with_their_times(run):
-    assert [span.name for span in summarise(run).phases] == ["pick up", "approach", "search"]
-    assert summarise(run).phases[1] == Span("approach", pytest.approx(0.088), pytest.approx(0.168))
+    assert [span.name for span in summarise(run).phases] == [
+        "pick up",
+        "contact",
+        "search",
+        "retract",
+    ]
+    assert summarise(run).phases[1] == Span("contact", pytest.approx(0.088), pytest.approx(0.168))
 
 
 def test_the_slot_is_found_when_the_tip_first_enters(run):
@@ -29,7 +34,7 @@ def test_forces_depth_trips_and_misses_are_counted(run):
 def test_the_timeline_is_in_order_of_time(run):
     times = [entry.t for entry in timeline(summarise(run))]
     assert times == sorted(times)
-    assert len(times) == 3 + 3 + 2
+    assert len(times) == 4 + 3 + 2
 
 
 def test_an_empty_recording_has_a_summary_that_claims_nothing(run):

@@ -15,8 +15,9 @@ from hil.view.progress import RunProgress
 from hil.view.window import Window, assembly, true_normal_force
 
 
-def test_the_picture_starts_at_the_last_approach(run):
-    assert assembly(control(run), truth(run)).start == pytest.approx(11 * 8e-3)
+def test_the_picture_goes_from_contact_to_retreat(run):
+    window = assembly(control(run), truth(run))
+    assert window == pytest.approx((11 * 8e-3, 56 * 8e-3))
 
 
 def test_true_force_is_shown_without_the_tools_weight(run):
