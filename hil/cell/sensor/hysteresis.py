@@ -25,15 +25,16 @@ class Hysteresis:
         self._peak = np.maximum(self._peak, np.maximum.reduce(np.abs(loads)))
         slack = loads - self._play
         # Mostly the load stays inside the band and the play stands still.
-        if np.any(np.abs(slack) > 0.5 * self._peak):
+        if np.count_nonzero(np.abs(slack) > 0.5 * self._peak):
             slack = loads - self._drag(loads)
         return loads - self._width * slack
 
     def _drag(self, loads: Array) -> Array:
         """Play after each load, (n, 6): pulled along where a load leaves the band."""
         half = 0.5 * self._peak
-        play = np.empty_like(loads)
-        for row, load in enumerate(loads):
-            self._play = np.minimum(np.maximum(self._play, load - half), load + half)
-            play[row] = self._play
-        return play
+        track = np.empty_like(loads)
+        play = self._play
+        for low, high, row in zip(loads - half, loads + half, track, strict=True):
+            play = np.minimum(np.maximum(play, low), high, out=row)
+        self._play = track[-1].copy()
+        return track

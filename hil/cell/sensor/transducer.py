@@ -91,18 +91,20 @@ class Transducer:
         if n == 0:
             return Counts(np.empty((0, 6), np.int64), np.empty(0, np.int64))
         draws = self._rng.standard_normal((n, 12)) * self._sigma
-        bias = self._bias + np.cumsum(draws[:, 6:], axis=0)
-        self._bias = bias[-1]
-        warm = self._warm_up * -math.expm1(-t / self._warm_up_time)
+        walk = np.add.accumulate(draws[:, 6:])
+        zero = self._bias - self._warm_up * math.expm1(-t / self._warm_up_time)
+        self._bias = self._bias + walk[-1]
         signal = self._hysteresis.follow(wrenches) @ self._calibration
-        signal += bias + warm + draws[:, :6]
+        signal += walk
+        signal += draws[:, :6]
+        signal += zero
         clipped = np.minimum(np.maximum(signal, -self._ceiling), self._ceiling)
         values = np.rint(self._low_pass.filter(clipped) / self._resolution).astype(np.int64)
         return Counts(values, self._alarms(wrenches, signal, values))
 
     def _alarms(self, wrenches: Array, signal: Array, values: IntArray) -> IntArray:
         alarms = np.zeros(len(values), np.int64)
-        if self._low_pass.cutoff == 0.0 and not (np.abs(signal) > self._alert).any():
+        if self._low_pass.cutoff == 0.0 and not np.count_nonzero(np.abs(signal) > self._alert):
             return alarms
         overloaded = np.abs(values) > self._range_counts
         clipped = np.abs(signal) >= self._ceiling
