@@ -80,7 +80,7 @@ class _Bench:
         return self._bench / self._wall
 
     def parts(self) -> dict[str, float]:
-        """CPU microseconds a period; control is what the near side's thread spent on nothing else."""
+        """CPU microseconds a period; control is the rest of the near side's thread."""
         assert self._meter is not None
         spent = dict(self._meter.spent)
         near = sum(spent.pop(part) for part in list(spent) if part.startswith("near "))
@@ -143,7 +143,7 @@ class _Bench:
         yield from approach(course, whole.start, whole.travel)
         axis = ForceAxis(whole.press, course.period)
         if self._case.contact:
-            yield from contact(course, axis, whole.press)
+            yield from contact(course, axis, whole)
         gc.collect()
         yield from self._timed(course, axis)
         return Ending(Kind.DONE, "measured")

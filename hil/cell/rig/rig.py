@@ -38,6 +38,11 @@ class Rig(Section):
     task: Task = Task()
     randomisation: Randomisation = Randomisation()
 
+    @property
+    def first_part(self) -> str:
+        """The part that a run takes unless told otherwise; "" in a rig without parts."""
+        return self.fixture.parts[0].name if self.fixture.parts else ""
+
     @model_validator(mode="after")
     def _consistent(self) -> "Rig":
         names = [part.name for part in self.fixture.parts]
