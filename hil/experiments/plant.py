@@ -25,6 +25,8 @@ ASIDE = 1.5e-3
 """A place on the face well beside the slot, m in y."""
 TRIALS = 20
 """Random drops of the basin's row."""
+BULK = 0.25
+"""N that a settled side force may depend on the step at 1 ms, which is meant for bulk runs."""
 
 
 class Drop(NamedTuple):
@@ -186,8 +188,8 @@ def _step_size(rig: Rig) -> list[Row]:
     fine = _settled(with_values(rig, "physics", step=0.1e-3))
     return [
         at_most("T8", f"settled fy, {step * 1e3:g} ms against 0.1 ms: worst of {fine.size}, "
-                f"median {np.median(gap):.3f}", float(gap.max()), 0.1, "N")
-        for step in (0.25e-3, 0.5e-3, 1e-3)
+                f"median {np.median(gap):.3f}", float(gap.max()), bound, "N")
+        for step, bound in ((0.25e-3, 0.1), (0.5e-3, 0.1), (1e-3, BULK))
         for gap in [np.abs(_settled(with_values(rig, "physics", step=step)) - fine)]
     ]  # fmt: skip
 
