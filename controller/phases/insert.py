@@ -32,12 +32,14 @@ def insert(course: Course, axis: ForceAxis, face: Face, insertion: Insertion) ->
 
 
 def draw_out(course: Course, insertion: Insertion) -> Phase[None]:
-    """Lift a stuck part off, as soft sideways as it went in, to hover over the face."""
+    """Lift a stuck part straight off to hover over the face.
+
+    Not soft sideways: where the jaws gave way to while it was stuck is nearer to the slot.
+    """
     course.name = "draw out"
     while course.setpoint.z < insertion.lift:
-        dx, dy = yielding(course, insertion)
         dz = min(insertion.lift_speed * course.period, insertion.lift - course.setpoint.z)
-        yield from course.to(course.setpoint.moved(dx, dy, dz))
+        yield from course.to(course.setpoint.moved(dz=dz))
     yield from course.dwell(0.1)
 
 
