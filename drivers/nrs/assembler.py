@@ -27,7 +27,6 @@ class NumberedSample(NamedTuple):
 
 
 class _Half(NamedTuple):
-    counter: int
     is_force: bool
     octets: bytes
     t: int
@@ -44,7 +43,7 @@ class Assembler:
         self._ids = identifiers
         self._fd = fd
         self._modulus = 1 << 16 if fd else 1 << 8
-        self._halves: list[_Half] = []
+        self._halves: dict[int, _Half] = {}  # by counter, oldest first
         self._last: int | None = None
         self._last_t = 0
         self._synchronised = False
@@ -87,29 +86,27 @@ class Assembler:
         if len(octets) != 8:
             raise ProtocolError(f"frame {frame.id:#x} has {len(octets)} bytes instead of 8")
         counter, is_force = octets[7], frame.id == self._ids.force
-        for index, half in enumerate(self._halves):
-            if half.counter != counter or t - half.t > HALF_LIFE:
-                continue
-            if half.is_force == is_force:
-                self.duplicates += 1
-                return None
-            del self._halves[index]
-            return (
-                decode_pair(octets, half.octets) if is_force else decode_pair(half.octets, octets)
-            )
-        self._wait(_Half(counter, is_force, octets, t))
-        return None
+        half = self._halves.pop(counter, None)
+        if half is None or t - half.t > HALF_LIFE:
+            self.torn += half is not None
+            self._wait(counter, _Half(is_force, octets, t))
+            return None
+        if half.is_force == is_force:
+            self.duplicates += 1
+            self._halves[counter] = half
+            return None
+        return decode_pair(octets, half.octets) if is_force else decode_pair(half.octets, octets)
 
-    def _wait(self, half: _Half) -> None:
+    def _wait(self, counter: int, half: _Half) -> None:
         if self._last is not None and self._synchronised:
-            step = self._distance(half.counter, self._last)
+            step = self._distance(counter, self._last)
             self.duplicates += step == 0  # its sample is complete already
             self.torn += step < 0  # its turn is over
             if step <= 0:
                 return
-        self._halves.append(half)
+        self._halves[counter] = half
         if len(self._halves) > WINDOW:
-            del self._halves[0]
+            del self._halves[next(iter(self._halves))]
             self.torn += 1
 
     def _number(self, sample: Sample, t: int) -> NumberedSample | None:

@@ -11,7 +11,7 @@ from scipy.stats import gamma, norm, uniform  # type: ignore[attr-defined]
 from hil.cell.rig import LatencyLaw
 from hil.cell.sensor.transducer import RATE
 from hil.experiments.allan import allan_deviation
-from hil.experiments.noise import AXES, TAUS, NoiseReport
+from hil.experiments.noise_report import AXES, TAUS, NoiseReport
 
 AXIS = 2  # fz carries the insertion
 
