@@ -136,7 +136,7 @@ class SensorHealth(NamedTuple):
 
 
 class ForceTorqueSensor(Protocol):
-    """A wrist sensor that streams samples; commands are answered in later polls, never waited for."""
+    """A wrist sensor that streams samples; a later poll brings the answer to a command."""
 
     def connect(self) -> None:
         """Open the bus; raises LinkError."""

@@ -15,6 +15,8 @@ class Oracle:
     """
 
     def __init__(self, cell: RunningCell, sizes: tuple[float, float, float]) -> None:
+        """Raises CellError where the truth is not at hand."""
+        cell.truth()
         self._cell, self._sizes = cell, sizes
 
     def choose(self, _observation: Observation) -> Action:

@@ -73,6 +73,7 @@ class CellProcess:
         self._end()
         if isinstance(word, BaseException):
             raise word
+        report: CellReport
         report, self._entries = word
         return report
 

@@ -46,7 +46,6 @@ class RunRecord:
         self._recorder, self._cell, self._frame, self._period = recorder, cell, frame, period
         self._t: int | None = None
         self._misses = 0
-        self._phase = ""
 
     def rtde(self, t: int, sent: bool, package: bytes) -> None:
         """One RTDE package as the arm driver sent or read it at arm time t, ns."""
@@ -58,9 +57,6 @@ class RunRecord:
         if self._t is not None:
             self._misses += max(0, (t - self._t) // self._period - 1)
         self._t = t
-        if course.name != self._phase:
-            self._phase = course.name
-            put(Channel.EVENT, t, event.encode(EventKind.NOTE, f"phase {course.name}"))
         put(Channel.WRENCH, t, wrench.encode(cycle.reading))
         base = self._frame.to_base(setpoint)
         packed = control.encode(course.name, course.steps, base, cycle.wrench, cycle.stage)

@@ -93,8 +93,8 @@ def run(request: Request, watch: Watch) -> Result:
         near = drivers(request.rig, cell.doors, record.rtde if record else None)
         stack.callback(near.sensor.close)
         stack.callback(near.arm.close)
-        bring_up(near.arm, near.sensor)
         chosen = policy(request.policy, plan, request.seed, cell)
+        bring_up(near.arm, near.sensor)
         drive = _Drive(near, plan, chosen, record, partial(_watch, watch, cell))
         outcome = Loop(near.arm, near.sensor, frame, observe=drive.observe).run(
             drive.job, limits(request.rig)

@@ -1,12 +1,12 @@
 """`hil demo`, `hil run` and `hil up`: the whole loop, one run, the cell alone."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
 import typer
 
-from hil.cli.errors import FAILED
 from hil.cli.options import (
+    Clock,
     ClockOption,
     Json,
     Layout,
@@ -18,16 +18,22 @@ from hil.cli.options import (
     Seed,
 )
 
+UpClock: TypeAlias = Annotated[Clock, typer.Option(help="What paces the cell.")]
 
-def demo(*, out: Out = Path("out/demo"), seed: Seed = None, overwrite: Overwrite = False) -> int:
+
+def demo(
+    out: Out = Path("out/demo"),
+    seed: Seed = None,
+    json: Json = False,
+    overwrite: Overwrite = False,
+) -> int:
     """Assemble one cable in the paper's cell, record it, draw it: the testbed in a minute."""
-    from hil.app.demo import demo as begin  # noqa: PLC0415
+    from hil.cli.demo import demo as begin  # noqa: PLC0415
 
-    return begin(out=out, seed=seed, overwrite=overwrite)
+    return begin(out, seed, json=json, overwrite=overwrite)
 
 
 def run(
-    *,
     rig: RigName,
     seed: Seed = None,
     out: Out = Path("out/run"),
@@ -36,39 +42,38 @@ def run(
     ] = Layout.INLINE,
     clock: ClockOption = None,
     policy: PolicyOption = PolicyName.POSE,
-    part: Annotated[str, typer.Option(help="Which part of the fixture to assemble.")] = "FFC1",
+    part: Annotated[str | None, typer.Option(help="Which part; the first unless given.")] = None,
+    rig_ports: Annotated[
+        bool, typer.Option("--rig-ports", help="Serve on the rig's ports, not on free ones.")
+    ] = False,
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> int:
-    """Run one assembly and record it; exit status 1 when the part was not inserted."""
-    from controller.outcome import Kind  # noqa: PLC0415
+    """Run one assembly against a rig and record it; exit status 1 when it was not inserted."""
     from hil.app.run import Request  # noqa: PLC0415
-    from hil.app.run import run as begin  # noqa: PLC0415
-    from hil.cli.result import text, watched  # noqa: PLC0415
+    from hil.cli.assembly import ignore, on_free_ports, perform, report  # noqa: PLC0415
     from hil.cli.shipped import read  # noqa: PLC0415
 
-    found, content = read(rig)
+    found, text = read(rig)
     request = Request(
-        rig=found,
-        rig_text=content,
+        rig=found if rig_ports else on_free_ports(found),
+        rig_text=text,
         seed=found.seed if seed is None else seed,
-        part=part,
+        part=part or found.first_part,
         policy=policy.value,
         layout=cell.value,
         clock=clock.value if clock else found.clock,
         out=out,
         overwrite=overwrite,
     )
-    with watched(found, quiet=json) as watch:
-        result = begin(request, watch)
-    typer.echo(text(request, result, json=json), nl=False)
-    return 0 if result.outcome.kind is Kind.INSERTED else FAILED
+    return report(perform(request, ignore, json=json), out, json=json)
 
 
-def up(*, rig: RigName, clock: ClockOption = None, seed: Seed = None, json: Json = False) -> int:
-    """Serve a rig's cell until Ctrl-C, for a client of your own; print its ports and bus."""
-    from hil.app.up import up as begin  # noqa: PLC0415
-    from hil.cli.shipped import read  # noqa: PLC0415
+def up(rig: RigName, clock: UpClock = Clock.WALL, seed: Seed = None, json: Json = False) -> int:
+    """Serve a rig's cell until Ctrl-C, for clients of your own; print its ports and bus.
 
-    found, _ = read(rig)
-    return begin(found, seed=seed, clock=clock.value if clock else None, json=json)
+    By the wall clock unless told otherwise: in lockstep, time stands still until somebody commands.
+    """
+    from hil.cli.serving import serve  # noqa: PLC0415
+
+    return serve(rig, seed, clock.value, json=json)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from statistics import median
 
-from scipy.stats import binomtest
+from scipy.stats import binomtest  # type: ignore[attr-defined]  # re-exported beyond mypy's sight
 
 from controller.course import Course
 from controller.cycle import Cycle

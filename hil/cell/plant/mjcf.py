@@ -33,8 +33,8 @@ def _set_options(spec: mujoco.MjSpec, step: float) -> None:
     option.timestep = step
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-    # Creep while sticking goes as 1 / impratio (0.92 um/s at 10, 0.46 at 20, 0.31 at 30), but from 30
-    # on where stick-slip comes to rest depends on the step (0.16 N at 0.5 ms; 0.08 N at 20).
+    # Creep while sticking goes as 1 / impratio (0.92 um/s at 10, 0.46 at 20, 0.31 at 30), but at 30
+    # the place where stick-slip comes to rest depends on the step (0.16 N at 0.5 ms; 0.08 at 20).
     option.impratio = 20.0
     option.tolerance = 1e-10
     option.ccd_tolerance = 1e-9

@@ -1,0 +1,85 @@
+"""Runs an assembly for a person or a program: progress, table or JSON, exit status."""
+
+from pathlib import Path
+
+import typer
+
+from controller.course import Course
+from controller.cycle import Cycle
+from controller.outcome import Kind
+from hil.app.cell import RunningCell
+from hil.app.run import Request, Result, Watch, run
+from hil.cell.rig import Rig
+from hil.cell.rig.robot import Ports
+from hil.cli.errors import FAILED
+from hil.cli.serving import said
+from hil.recording.read import load
+from hil.recording.summary import summarise
+from hil.view.progress import RunProgress
+from hil.view.tables import as_json, of_facts, of_run
+
+
+def on_free_ports(rig: Rig) -> Rig:
+    """The rig with every port 0, so that runs beside each other never meet."""
+    ports = Ports(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
+    return rig.model_copy(update={"robot": rig.robot.model_copy(update={"ports": ports})})
+
+
+def ignore(_cycle: Cycle, _course: Course, _cell: RunningCell) -> None:
+    """The watcher that sees nothing."""
+
+
+def perform(request: Request, watch: Watch, *, json: bool) -> Result:
+    """Run it, showing how it goes on a terminal."""
+    goal = request.rig.task.goal_depth
+    with RunProgress(goal, quiet=json) as progress:
+
+        def both(cycle: Cycle, course: Course, cell: RunningCell) -> None:
+            progress.update(cycle.t, course.name, -cycle.stage.z, cycle.wrench[2])
+            watch(cycle, course, cell)
+
+        return run(request, both)
+
+
+def report(result: Result, out: Path, *, json: bool) -> int:
+    """Print what came of it, the digest last; the exit status."""
+    if json:
+        typer.echo(as_json(figures(result, out)), nl=False)
+    else:
+        typer.echo(of_run(summarise(load(out))), nl=False)
+        typer.echo(of_facts(_speed(result)), nl=False)
+        typer.echo(f"{out / 'run.mcap'}\nsha256 {result.digest}")
+    return 0 if result.outcome.kind is Kind.INSERTED else FAILED
+
+
+def figures(result: Result, out: Path) -> dict[str, object]:
+    """A result as a program reads it; SI units."""
+    outcome = result.outcome
+    lateness = result.cell.lateness
+    return {
+        "outcome": outcome.kind.value,
+        "reason": outcome.reason,
+        "steps": outcome.steps,
+        "cycles": outcome.cycles,
+        "misses": outcome.misses,
+        "standstill": outcome.standstill,
+        "bench_s": result.bench,
+        "wall_s": result.wall,
+        "real_time_factor": result.real_time_factor,
+        "cell": result.description,
+        "sensor": result.health._asdict(),
+        "lateness_ns": None if lateness is None else lateness._asdict(),
+        "recording": str(out / "run.mcap"),
+        "sha256": result.digest,
+    }
+
+
+def _speed(result: Result) -> dict[str, str | int | float | None]:
+    lines: dict[str, str | int | float | None] = {
+        "cell": result.description,
+        "steps": result.outcome.steps,
+        "real-time factor": f"{result.real_time_factor:.1f} ({result.wall:.2f} s of wall time)",
+    }
+    if result.cell.lateness is not None:
+        lines["lateness"] = said(result.cell.lateness)
+    return lines
