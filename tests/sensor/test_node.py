@@ -340,3 +340,21 @@ def test_the_same_seed_gives_the_same_frames():
 def test_a_range_that_the_wire_cannot_carry_is_refused():
     with pytest.raises(RigError, match="1000 exceeds the 983"):
         SensorNode(QUIET.model_copy(update={"range_force": 1000.0}), np.random.default_rng(0))
+
+
+@pytest.mark.parametrize("rate", [0.0, 2000.0, 300.0, 4.0])
+def test_a_rate_that_the_node_cannot_keep_is_refused(rate):
+    with pytest.raises(RigError, match="1000 Hz / n"):
+        SensorNode(QUIET.model_copy(update={"rate": rate}), np.random.default_rng(0))
+
+
+def test_a_cutoff_beyond_half_the_rate_is_refused():
+    with pytest.raises(RigError, match="filter_cutoff 600 Hz"):
+        SensorNode(QUIET.model_copy(update={"filter_cutoff": 600.0}), np.random.default_rng(0))
+
+
+def test_a_slower_rig_sends_at_its_own_rate():
+    bench = Bench(QUIET.model_copy(update={"rate": 250.0}))
+    bench.run(400)
+    bench.ask(Opcode.TRANSMIT, 1)
+    assert len(of(bench.run(400), IDS.force)) == 100

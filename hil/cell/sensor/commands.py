@@ -14,10 +14,10 @@ from drivers.protocol.nrs_command import (
     Reply,
     Result,
 )
-from hil.cell.errors import CellError
+from hil.cell.errors import CellError, RigError
 from hil.cell.rig.sensor import Sensor
 from hil.cell.sensor.tare import Tare
-from hil.cell.sensor.transducer import Transducer
+from hil.cell.sensor.transducer import RATE, Transducer
 
 Values: TypeAlias = tuple[int, ...]
 
@@ -25,6 +25,8 @@ SERIAL: Final = b"HIL-EMULATED-001"
 FIRMWARE: Final = (1, 0, 1)
 MAX_CUTOFF: Final = 5000
 """0.1 Hz: half the conversion rate."""
+MAX_PERIOD: Final = 200
+"""Milliseconds."""
 MAX_TARE_SAMPLES: Final = 10_000
 
 
@@ -42,6 +44,19 @@ class Settings:
 
     period: int
     cutoff: int
+
+    @classmethod
+    def of(cls, sensor: Sensor) -> "Settings":
+        """What the rig asks for; RigError when the node's commands could not ask for it."""
+        period = round(RATE / sensor.rate) if sensor.rate > 0 else 0
+        if not 1 <= period <= MAX_PERIOD or abs(period * sensor.rate - RATE) > 1e-6 * RATE:
+            raise RigError(f"sensor.rate {sensor.rate:g} Hz is not 1000 Hz / n, n = 1 .. 200")
+        cutoff = round(10 * sensor.filter_cutoff)
+        if not 0 <= cutoff <= MAX_CUTOFF:
+            raise RigError(
+                f"sensor.filter_cutoff {sensor.filter_cutoff:g} Hz is not in 0 .. 500 Hz"
+            )
+        return cls(period, cutoff)
 
 
 @dataclass(slots=True)
@@ -162,7 +177,7 @@ class CommandServer:
 
     def _set_period(self, arguments: Values) -> Values:
         (milliseconds,) = arguments
-        if not 1 <= milliseconds <= 200:
+        if not 1 <= milliseconds <= MAX_PERIOD:
             raise RefusalError(Result.OUT_OF_RANGE)
         self.settings.period = milliseconds
         return (milliseconds,)

@@ -46,7 +46,7 @@ class SensorNode:
         self._ids = Identifiers.of(sensor.node)
         self._framing = Framing(sensor, self._ids)
         self._announcer = Announcer(self._ids)
-        settings = Settings(max(1, round(1000 / sensor.rate)), round(sensor.filter_cutoff * 10))
+        settings = Settings.of(sensor)
         self._server = CommandServer(sensor, self._transducer, settings, self._answer)
         self._boot_time = round(sensor.boot_time * 1e9)
         self._outbox: list[Timed] = []
