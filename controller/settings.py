@@ -67,7 +67,7 @@ class Insertion:
     """Sliding in: goal depth of the tip (m), lateral nulling (N s/m, m/s), and when it is stuck.
 
     The cable lags 0.65 mm behind the jaws when it finds the slot and stores about 1 N; held
-    laterally that load rises as the free length shortens (danger in 25 % of trials), so it is nulled.
+    laterally that load rises as the free length shortens (danger in 25 % of trials): null it.
     overtravel: m beyond the goal, for the error of the depth estimate.
     """
 
