@@ -1,4 +1,4 @@
-"""The near side's one error tree: what a driver raises when the cell, the link or the caller is wrong."""
+"""The near side's one error tree: what drivers raise when cell, link or caller is wrong."""
 
 
 class DriverError(Exception):

@@ -69,7 +69,7 @@ class Arm(Protocol):
         ...
 
     def connect(self) -> ArmState:
-        """Bring the arm to where it follows set-points: power, brakes, program; raises DriverError."""
+        """Bring the arm to where it follows set-points: power, brakes, program; DriverError."""
         ...
 
     def close(self) -> None:

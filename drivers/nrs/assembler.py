@@ -3,7 +3,7 @@
 Keeping the last of each half instead would mix two samples whenever a frame is lost.
 """
 
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 from drivers.interfaces import Vector6
 from drivers.protocol.frame import CanFrame
@@ -26,10 +26,8 @@ class NumberedSample(NamedTuple):
     flags: int
 
 
-class _Half(NamedTuple):
-    is_force: bool
-    octets: bytes
-    t: int
+_Half: TypeAlias = tuple[bool, bytes, int]
+"""(whether it is the force half, payload, arm time of arrival): plain, as there are 2000 a s."""
 
 
 class Assembler:
@@ -87,15 +85,15 @@ class Assembler:
             raise ProtocolError(f"frame {frame.id:#x} has {len(octets)} bytes instead of 8")
         counter, is_force = octets[7], frame.id == self._ids.force
         half = self._halves.pop(counter, None)
-        if half is None or t - half.t > HALF_LIFE:
+        if half is None or t - half[2] > HALF_LIFE:
             self.torn += half is not None
-            self._wait(counter, _Half(is_force, octets, t))
+            self._wait(counter, (is_force, octets, t))
             return None
-        if half.is_force == is_force:
+        if half[0] == is_force:
             self.duplicates += 1
             self._halves[counter] = half
             return None
-        return decode_pair(octets, half.octets) if is_force else decode_pair(half.octets, octets)
+        return decode_pair(octets, half[1]) if is_force else decode_pair(half[1], octets)
 
     def _wait(self, counter: int, half: _Half) -> None:
         if self._last is not None and self._synchronised:

@@ -48,13 +48,6 @@ def drain(bus: can.BusABC, take: Callable[[can.Message], None]) -> None:
         take(message)
 
 
-def standard_frame(message: can.Message) -> CanFrame | None:
-    """The frame, or None for extended, remote and error frames: an extended 0x181 is not 0x181."""
-    if message.is_extended_id or message.is_remote_frame or message.is_error_frame:
-        return None
-    return CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
-
-
 def send(bus: can.BusABC, frame: CanFrame) -> None:
     bus.send(
         can.Message(arbitration_id=frame.id, data=frame.data, is_extended_id=False, is_fd=frame.fd)

@@ -1,13 +1,17 @@
 """The force/torque sensor on CAN, as drivers.interfaces.ForceTorqueSensor."""
 
+from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import Final
 
+import can
+
 from drivers.interfaces import SensorHealth, WrenchReading
-from drivers.nrs.bus import open_bus, standard_frame
+from drivers.nrs.bus import open_bus
 from drivers.nrs.link import Link
 from drivers.nrs.session import Session
 from drivers.protocol.bus_address import BusAddress
+from drivers.protocol.frame import CanFrame
 
 SILENCE: Final = 1_000_000_000
 """A node sends ten heartbeats a second; after this long without any frame the bus is reopened."""
@@ -63,19 +67,21 @@ class CanSensor:
     def poll(self, t: int) -> None:
         """Take what the bus holds at arm time t; raises LinkError, CommandRefusedError."""
         messages = self._link.take()
-        take = self._session.take
-        for message in messages:
-            frame = standard_frame(message)
-            if frame is not None:
-                take(frame, t)
-                continue
-            self._foreign += 1
-            if message.is_error_frame:
-                self._last_error = f"CAN error frame, class {message.arbitration_id:#x}"
+        self._session.take(self._standard(messages), t)
         self._mind_silence(t, heard=bool(messages))
         request = self._session.due(t)
         if request is not None:
             self._link.send(request)
+
+    def _standard(self, messages: Iterable[can.Message]) -> Iterator[CanFrame]:
+        """The frames among them; an extended 0x181 is not 0x181, and is counted as foreign."""
+        for message in messages:
+            if message.is_extended_id or message.is_remote_frame or message.is_error_frame:
+                self._foreign += 1
+                if message.is_error_frame:
+                    self._last_error = f"CAN error frame, class {message.arbitration_id:#x}"
+            else:
+                yield CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
 
     def read(self, t: int) -> WrenchReading:
         """Poll, then the newest wrench; raises what poll raises, and SensorError for no wrench."""

@@ -1,6 +1,6 @@
 """The conversation with one sensor node, without a bus: frames and times in, wrenches out."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -36,6 +36,7 @@ class _Stream:
     """What is known since the last start; t and waiting_from in ns, sample_count from STATUS."""
 
     newest: NumberedSample | None = None
+    observed: NumberedSample | None = None
     fresh: list[NumberedSample] = field(default_factory=list)
     zero_from: int = 0
     sample_count: int | None = None
@@ -92,13 +93,22 @@ class Session:
     def tare_pending(self) -> bool:
         return self._requests.pending(Opcode.TARE)
 
-    def take(self, frame: CanFrame, t: int) -> None:
-        """Understand a standard data frame that was there at arm time t."""
-        if frame.id in self._sample_ids:
-            sample = self.assembler.accept(frame, t)
-            if sample is not None:
-                self._keep(sample, t)
-            return
+    def take(self, frames: Iterable[CanFrame], t: int) -> None:
+        """Understand standard data frames that were there at arm time t, in bus order."""
+        for frame in frames:
+            if frame.id in self._sample_ids:
+                sample = self.assembler.accept(frame, t)
+                if sample is not None:
+                    self._keep(sample)
+            else:
+                self._hear(frame, t)
+        newest = self._stream.newest
+        if newest is not None and newest is not self._stream.observed:
+            # Of samples that came together the newest was delayed least: it moves the anchor.
+            self._freshness.observe(newest.number, t)
+            self._stream.observed = newest
+
+    def _hear(self, frame: CanFrame, t: int) -> None:
         handler = self._handlers.get(frame.id)
         if handler is None or frame.fd:
             self.foreign += 1
@@ -154,8 +164,7 @@ class Session:
             tared=bool(newest.flags & TARED),
         )
 
-    def _keep(self, sample: NumberedSample, t: int) -> None:
-        self._freshness.observe(sample.number, t)
+    def _keep(self, sample: NumberedSample) -> None:
         if sample.number >= self._stream.zero_from:
             self._stream.newest = sample
             self._stream.fresh.append(sample)

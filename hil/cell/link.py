@@ -27,8 +27,12 @@ class Link(Generic[T]):
         self._queue.append((self._last, message))
 
     def extend(self, messages: Iterable[tuple[int, T]]) -> None:
+        """Put in (sent, message) pairs: `push` written out, since a bus carries 16 a period."""
+        last, delays, append = self._last, self._delays, self._queue.append
         for sent, message in messages:
-            self.push(sent, message)
+            last = max(last, sent + next(delays))
+            append((last, message))
+        self._last = last
 
     def due(self, t: int) -> list[tuple[int, T]]:
         """Everything that has arrived by t, in order, with the time of its arrival."""

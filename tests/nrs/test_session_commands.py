@@ -23,7 +23,7 @@ MS = 1_000_000
 def session():
     session = Session(node=1, fd=False, period=MS, max_age=10 * MS)
     session.start()
-    session.take(encode_heartbeat(IDS, NodeState.PRE_OPERATIONAL), 0)
+    session.take([encode_heartbeat(IDS, NodeState.PRE_OPERATIONAL)], 0)
     return session
 
 
@@ -33,23 +33,23 @@ def reply_to(frame, result=Result.OK, values=()):
 
 
 def streaming(session):
-    session.take(reply_to(session.due(0), values=(1,)), 0)
-    session.take(encode_status(IDS, Status(StatusBit.TRANSMIT_ON, 25.0, 0, 0)), 0)
+    session.take([reply_to(session.due(0), values=(1,))], 0)
+    session.take([encode_status(IDS, Status(StatusBit.TRANSMIT_ON, 25.0, 0, 0))], 0)
 
 
 def deliver(session, numbers, flags=VALID):
     for number in numbers:
         for frame in encode_pair(IDS, [1] * 6, flags, number):
-            session.take(frame, number * MS)
+            session.take([frame], number * MS)
 
 
 def test_start_waits_until_the_node_is_up():
     session = Session(node=1, fd=False, period=MS, max_age=10 * MS)
     session.start()
     assert session.due(0) is None
-    session.take(encode_heartbeat(IDS, NodeState.BOOT), 100 * MS)
+    session.take([encode_heartbeat(IDS, NodeState.BOOT)], 100 * MS)
     assert session.due(200 * MS) is None
-    session.take(encode_heartbeat(IDS, NodeState.PRE_OPERATIONAL), 400 * MS)
+    session.take([encode_heartbeat(IDS, NodeState.PRE_OPERATIONAL)], 400 * MS)
     assert decode_command(session.due(400 * MS).data).opcode == Opcode.TRANSMIT
 
 
@@ -72,7 +72,7 @@ def test_an_unanswered_command_is_sent_three_times_with_one_sequence_number(sess
 def test_a_refusal_is_raised_with_its_reason(session):
     streaming(session)
     session.begin_tare(50)
-    session.take(reply_to(session.due(8 * MS), Result.WRONG_STATE), 9 * MS)
+    session.take([reply_to(session.due(8 * MS), Result.WRONG_STATE)], 9 * MS)
     with pytest.raises(CommandRefusedError, match=r"TARE.*WRONG_STATE"):
         session.due(16 * MS)
     assert not session.tare_pending
@@ -81,7 +81,7 @@ def test_a_refusal_is_raised_with_its_reason(session):
 def test_a_reply_with_another_sequence_number_settles_nothing(session):
     command = decode_command(session.due(0).data)
     late = Reply(command.opcode, command.seq - 1, Result.OK, (1,))
-    session.take(encode_reply(IDS, late), MS)
+    session.take([encode_reply(IDS, late)], MS)
     assert session.due(100 * MS) is not None
 
 
@@ -92,7 +92,7 @@ def test_a_tare_drops_the_samples_that_were_on_the_old_zero(session):
     request = session.due(5 * MS)
     deliver(session, range(5, 8))
     deliver(session, range(8, 13), VALID | TARED)
-    session.take(reply_to(request, values=(8,)), 13 * MS)
+    session.take([reply_to(request, values=(8,))], 13 * MS)
     reading = session.reading(13 * MS)
     assert (len(reading.samples), reading.tared) == (5, True)
 
@@ -134,11 +134,11 @@ def test_a_faulty_gauge_gives_no_wrench(session, flags):
 def test_a_wrong_length_is_counted_as_malformed(session, length):
     streaming(session)
     frame = encode_pair(IDS, [1] * 6, VALID, 0)[0]
-    session.take(frame._replace(data=frame.data[:length]), 0)
+    session.take([frame._replace(data=frame.data[:length])], 0)
     assert session.assembler.malformed == 1
 
 
 def test_frames_of_others_are_counted_as_foreign(session):
     frame = encode_pair(Identifiers.of(2), [1] * 6, VALID, 0)[0]
-    session.take(frame, 0)
+    session.take([frame], 0)
     assert (session.foreign, session.assembler.pairs) == (1, 0)

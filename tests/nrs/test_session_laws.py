@@ -56,7 +56,7 @@ def session():
 def started():
     session = Session(node=1, fd=False, period=MS, max_age=MAX_AGE)
     session.start()
-    session.take(status(0), 0)
+    session.take([status(0)], 0)
     return session
 
 
@@ -64,7 +64,7 @@ def feed(session, numbers, flags=VALID):
     """Deliver samples on time: sample k at k ms."""
     for number in numbers:
         for frame in pair(number, flags):
-            session.take(frame, number * MS)
+            session.take([frame], number * MS)
 
 
 @settings(deadline=None)
@@ -84,7 +84,7 @@ def test_every_wrench_was_sent_whole_and_is_as_young_as_it_says(fates, poll_ever
     for now in range(0, len(fates) + 2 * LONGEST_DELAY, poll_every):
         while arrivals and arrivals[0][0] <= now:
             _, _, number, half = arrivals.pop(0)
-            session.take(pair(number)[half], now * MS)
+            session.take([pair(number)[half]], now * MS)
         try:
             reading = session.reading(now * MS)
         except (NotReadyError, StaleSampleError):
@@ -111,8 +111,8 @@ def test_pairs_and_gaps_add_up_to_what_was_sent(kept):
 
 def test_halves_that_lost_their_partner_are_never_mixed(session):
     for number in range(0, 40, 2):
-        session.take(pair(number)[0], number * MS)
-        session.take(pair(number + 1)[1], (number + 1) * MS)
+        session.take([pair(number)[0]], number * MS)
+        session.take([pair(number + 1)[1]], (number + 1) * MS)
     with pytest.raises(NotReadyError):
         session.reading(40 * MS)
     assert session.assembler.torn == 38
@@ -120,9 +120,9 @@ def test_halves_that_lost_their_partner_are_never_mixed(session):
 
 def test_a_half_from_a_whole_counter_turn_ago_is_no_partner(session):
     feed(session, range(10))
-    session.take(pair(10)[0], 10 * MS)
-    session.take(status(266), 265 * MS)
-    session.take(pair(266)[1], 266 * MS)
+    session.take([pair(10)[0]], 10 * MS)
+    session.take([status(266)], 265 * MS)
+    session.take([pair(266)[1]], 266 * MS)
     assert session.assembler.pairs == 10
 
 
@@ -145,7 +145,7 @@ def test_a_frozen_counter_is_stale_although_frames_arrive(session):
     feed(session, range(20))
     for t in range(20, 31):
         for frame in pair(19):
-            session.take(frame, t * MS)
+            session.take([frame], t * MS)
     with pytest.raises(StaleSampleError):
         session.reading(31 * MS)
 
@@ -154,7 +154,7 @@ def test_a_burst_held_back_is_as_old_as_it_is_not_as_it_arrived(session):
     feed(session, range(20))
     for number in range(20, 60):
         for frame in pair(number):
-            session.take(frame, 100 * MS)
+            session.take([frame], 100 * MS)
     with pytest.raises(StaleSampleError, match=r"sample 59 is (40|41)\.\d ms old"):
         session.reading(100 * MS)
 
@@ -164,7 +164,7 @@ def test_numbers_are_right_after_an_outage_longer_than_the_counter(session, lost
     feed(session, range(20))
     back = 20 + lost
     feed(session, [back])
-    session.take(status(back + 1), back * MS)
+    session.take([status(back + 1)], back * MS)
     feed(session, [back + 1])
     assert session.reading((back + 1) * MS).counter == back + 1
     assert session.assembler.gaps == lost + 1
@@ -175,29 +175,29 @@ def test_clock_drift_does_not_look_like_delay(session, ppm):
     for number in range(100_000):
         t = number * (MS + ppm)
         if number % 100 == 0:
-            session.take(status(number), t)
+            session.take([status(number)], t)
         for frame in pair(number % 256):
-            session.take(frame, t)
+            session.take([frame], t)
         if number % 5000 == 0 and number:
             assert session.reading(t).age <= MS
 
 
 def test_a_boot_heartbeat_ends_trust_until_started_again(session):
     feed(session, range(20), VALID | TARED)
-    session.take(encode_heartbeat(IDS, NodeState.BOOT), 20 * MS)
+    session.take([encode_heartbeat(IDS, NodeState.BOOT)], 20 * MS)
     feed(session, range(20, 30))
     with pytest.raises(SensorResetError):
         session.reading(30 * MS)
     session.start()
-    session.take(status(0), 40 * MS)
+    session.take([status(0)], 40 * MS)
     for frame in pair(0):
-        session.take(frame, 41 * MS)
+        session.take([frame], 41 * MS)
     assert not session.reading(41 * MS).tared
 
 
 def test_a_sample_count_that_goes_back_is_a_reset_too(session):
     feed(session, range(200))
-    session.take(status(200), 200 * MS)
-    session.take(status(5), 205 * MS)
+    session.take([status(200)], 200 * MS)
+    session.take([status(5)], 205 * MS)
     with pytest.raises(SensorResetError):
         session.reading(206 * MS)

@@ -14,7 +14,7 @@ HEADER = 2
 
 
 class WrenchHistory:
-    """A view of the force and torque rings of one MjData; both turn together."""
+    """Wrenches out of the force and torque rings of one MjData; both turn together."""
 
     def __init__(self, model: mujoco.MjModel, state: mujoco.MjData, stride: int) -> None:
         """stride: physics steps between two samples."""
@@ -22,10 +22,9 @@ class WrenchHistory:
         self._length = int(model.sensor_history[0, 0])
         self._ring = state.history
         self._cursor = force + 1
-        self._force = self._values(force)  # (length, 3)
-        self._torque = self._values(torque)  # (length, 3)
+        self._rings = force + HEADER + self._length, torque + HEADER + self._length
         self._stride = stride
-        self._rows: dict[tuple[int, int], NDArray[np.intp]] = {}
+        self._places: dict[tuple[int, int], NDArray[np.intp]] = {}
 
     def newest(self, samples: int) -> Array:
         """The last `samples` wrenches on the tool in the sensor's frame, oldest first: (n, 6).
@@ -33,20 +32,16 @@ class WrenchHistory:
         MuJoCo reports the force that the arm exerts on the tool; what acts on the tool from
         outside, weight and inertia included, is its opposite.
         """
-        rows = self._take(int(self._ring[self._cursor]), samples)
-        wrenches = np.empty((samples, 6))
-        np.negative(self._force[rows], out=wrenches[:, :3])
-        np.negative(self._torque[rows], out=wrenches[:, 3:])
-        return wrenches
+        wrenches = self._ring.take(self._where(int(self._ring[self._cursor]), samples))
+        np.negative(wrenches, wrenches)
+        gathered: Array = wrenches
+        return gathered
 
-    def _take(self, cursor: int, samples: int) -> NDArray[np.intp]:
+    def _where(self, cursor: int, samples: int) -> NDArray[np.intp]:
+        """Indices of those samples in the ring, one gather for all of them.  # (n, 6)."""
         key = (cursor, samples)
-        if key not in self._rows:
+        if key not in self._places:
             back = np.arange(samples - 1, -1, -1) * self._stride
-            self._rows[key] = (cursor - back) % self._length
-        return self._rows[key]
-
-    def _values(self, address: int) -> Array:
-        first = address + HEADER + self._length
-        values: Array = self._ring[first : first + 3 * self._length].reshape(self._length, 3)
-        return values
+            rows = 3 * ((cursor - back) % self._length)[:, np.newaxis] + np.arange(3)
+            self._places[key] = np.hstack([rows + start for start in self._rings])
+        return self._places[key]

@@ -62,23 +62,29 @@ class Framing:
 
     def frames(self, batch: Batch, tared: tuple[bool, bool]) -> list[Timed]:
         """Frames with their emission times; tared says whether (old, current) zero is a tare."""
-        wire = (
-            batch.values if self._unscaled else np.rint(batch.values * self._scale).astype(np.int64)
-        )
+        values = batch.values
+        wire = values if self._unscaled else np.rint(values * self._scale).astype(np.int64)
         flags = self._flags(batch, tared)
-        top = self._limit - 1
-        if np.abs(wire).max(initial=0) > top:
-            flags = [
-                flag | nrs_can.SATURATED if max(map(abs, row)) > top else flag
-                for flag, row in zip(flags, wire.tolist(), strict=True)
-            ]
-            wire = np.clip(wire, -top, top)
+        if self._overflows(wire):
+            wire, flags = self._clip(wire, flags)
         frames: list[Timed] = []
         counter = batch.first
         for t, counts, flag in zip(batch.times, wire.tolist(), flags, strict=True):
             frames += self._encode(t, counts, flag, counter)
             counter += 1
         return frames
+
+    def _overflows(self, wire: IntArray) -> bool:
+        return bool(len(wire)) and (wire.max() >= self._limit or wire.min() <= -self._limit)
+
+    def _clip(self, wire: IntArray, flags: list[int]) -> tuple[IntArray, list[int]]:
+        """Counts within the wire's range; samples that were not are flagged."""
+        top = self._limit - 1
+        flags = [
+            flag | nrs_can.SATURATED if max(map(abs, row)) > top else flag
+            for flag, row in zip(flags, wire.tolist(), strict=True)
+        ]
+        return np.clip(wire, -top, top), flags
 
     def _flags(self, batch: Batch, tared: tuple[bool, bool]) -> list[int]:
         old, new = (nrs_can.VALID | (nrs_can.TARED if zero else 0) for zero in tared)

@@ -94,8 +94,7 @@ class SensorNode:
         # A conversion sees the last millisecond's wrench: nothing from its own future.
         history = np.concatenate((self._held, wrenches))
         self._held = history[-1:]
-        rows = [min(max(0, (moment - start) // MILLISECOND), len(wrenches)) for moment in times]
-        counts = self._transducer.measure(t, history[rows])
+        counts = self._transducer.measure(t, history[_rows(times, start, len(wrenches))])
         if not self._booting:
             self._sample(times, counts)
             self._announce(t)
@@ -159,3 +158,14 @@ class SensorNode:
         cut = len(self._outbox) - late
         leaving, self._outbox = self._outbox[:cut], self._outbox[cut:]
         return leaving
+
+
+def _rows(times: list[int], start: int, last: int) -> slice | list[int]:
+    """Which millisecond of the history each conversion sees; a slice where they follow suit."""
+    if not times:
+        return slice(0, 0)
+    first = max(0, (times[0] - start) // MILLISECOND)
+    end = min((times[-1] - start) // MILLISECOND, last)
+    if end - first == len(times) - 1:
+        return slice(first, end + 1)
+    return [min(max(0, (moment - start) // MILLISECOND), last) for moment in times]
