@@ -72,8 +72,8 @@ class Loop:
             setpoint = next(phase)
             while True:
                 guard.check_setpoint(setpoint, cycle.stage)
-                self._observe(cycle, setpoint, course.name)
                 self._arm.servo(self._frame.to_base(setpoint))
+                self._observe(cycle, setpoint, course.name)  # the arm has its command already
                 cycle = self._cycle()
                 guard.check(cycle)
                 setpoint = phase.send(cycle)

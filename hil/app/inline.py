@@ -23,7 +23,7 @@ class InlineCell:
         self.served: ServedCell = serve(rig, seed, across_processes=False)
         self._clock = clock
         self._record = record
-        self._entries: deque[Entry] = deque()
+        self._ticks: deque[Tick] = deque()
         self._stopped = Event()
         self._failure: BaseException | None = None
         self._report: CellReport | None = None
@@ -42,8 +42,9 @@ class InlineCell:
         return self.served.bench.truth
 
     def take(self) -> list[Entry]:
-        """Records made since the last call, oldest first."""
-        return [self._entries.popleft() for _ in range(len(self._entries))]
+        """Records made since the last call, oldest first; packed here, not in the cell's thread."""
+        ticks = [self._ticks.popleft() for _ in range(len(self._ticks))]
+        return [entry for tick in ticks for entry in entries(tick)]
 
     def stop(self) -> CellReport:
         """Stop and close every door; raises what the cell died of, if it did."""
@@ -56,15 +57,12 @@ class InlineCell:
         return self._report or CellReport(0, None, ())
 
     def _run(self) -> None:
-        observe = self._keep if self._record else _ignore
+        observe = self._ticks.append if self._record else _ignore
         try:
             self._report = pace(self.served, self._clock, self._stopped.is_set, observe)
         except BaseException as error:
             self._failure = error
             self.served.close()  # so that whoever waits on a wire learns of it
-
-    def _keep(self, tick: Tick) -> None:
-        self._entries.extend(entries(tick))
 
     def __enter__(self) -> Self:
         self._thread.start()

@@ -138,14 +138,26 @@ class _Drive:
     def job(self, course: Course) -> Phase[Ending]:
         self._course = course
         self._first, self._started = course.cycle.t, perf_counter()
-        return assembly(course, self._plan, self.near.sensor, self.near.gripper, self._policy)
+        near = self.near
+        job = assembly(course, self._plan, near.sensor, near.gripper, self._policy)
+        return self._watched(course, job)
+
+    def _watched(self, course: Course, job: Phase[Ending]) -> Phase[Ending]:
+        """The job, each cycle shown to the watcher before its command lets the cell move on."""
+        try:
+            setpoint = next(job)
+            while True:
+                self._watch(course.cycle, course)
+                setpoint = job.send((yield setpoint))
+        except StopIteration as end:
+            ending: Ending = end.value
+            return ending
 
     def observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
         course = self._course
         assert course is not None, "the loop begins the job before it observes"
         if self.record is not None:
             self.record.cycle(cycle, setpoint, course)
-        self._watch(cycle, course)
         self._last, self._ended = cycle.t, perf_counter()
 
     @property
