@@ -23,7 +23,6 @@ UNITS = {
         (quantity.RadiansPerSecond, "rad/s"),
         (quantity.NewtonsPerMetre, "N/m"),
         (quantity.NewtonMetresPerRadian, "N*m/rad"),
-        (quantity.NewtonSecondsPerMetre, "N*s/m"),
         (quantity.BitsPerSecond, "bit/s"),
     )
 }

@@ -21,8 +21,6 @@ class LatencyLaw(Section):
 
     @model_validator(mode="after")
     def _sane(self) -> "LatencyLaw":
-        if self.mean < 0 or self.jitter < 0:
-            raise ValueError(f"mean {self.mean} s and jitter {self.jitter} s must not be negative")
         if self.law == "gamma" and not (self.mean > 0 and self.jitter > 0):
             raise ValueError("a gamma law needs a mean and a jitter above 0 s")
         return self

@@ -6,7 +6,7 @@ from functools import cache
 from typing import Annotated, Final
 
 import pint
-from pydantic import BeforeValidator
+from pydantic import BeforeValidator, Field
 
 _NUMBER: Final = r"[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|(?:nan|inf)\b)"
 _FACTOR: Final = r"[^\W\d]+(?:(?:\*\*|\^)-?\d)?"
@@ -29,17 +29,13 @@ def parse(text: object, unit: str) -> float:
     match = _QUANTITY.fullmatch(text)
     if match is None:
         raise ValueError(f"{text!r} is not a number and a unit, such as '18.5 {unit}'")
-    value = _converted(float(match[1]), match[2], unit)
+    try:
+        value = float(_registry().Quantity(float(match[1]), match[2]).to(unit).magnitude)
+    except (pint.PintError, AssertionError, TypeError, ValueError) as error:
+        raise ValueError(f"{text!r} is not a quantity in {unit} ({error})") from None
     if not math.isfinite(value):
         raise ValueError(f"{text!r} is not finite")
     return value
-
-
-def _converted(number: float, found: str, unit: str) -> float:
-    try:
-        return float(_registry().Quantity(number, found).to(unit).magnitude)
-    except (pint.PintError, AssertionError, TypeError, ValueError) as error:
-        raise ValueError(f"'{number:g} {found}' is not a quantity in {unit} ({error})") from None
 
 
 def _of(unit: str) -> BeforeValidator:
@@ -48,16 +44,18 @@ def _of(unit: str) -> BeforeValidator:
 
 Metres = Annotated[float, _of("m")]
 Radians = Annotated[float, _of("rad")]
-Seconds = Annotated[float, _of("s")]
-Newtons = Annotated[float, _of("N")]
-NewtonMetres = Annotated[float, _of("N*m")]
-Hertz = Annotated[float, _of("Hz")]
-Kilograms = Annotated[float, _of("kg")]
-Pascals = Annotated[float, _of("Pa")]
-MetresPerSecond = Annotated[float, _of("m/s")]
-RadiansPerSecond = Annotated[float, _of("rad/s")]
-NewtonsPerMetre = Annotated[float, _of("N/m")]
-NewtonMetresPerRadian = Annotated[float, _of("N*m/rad")]
-NewtonSecondsPerMetre = Annotated[float, _of("N*s/m")]
-BitsPerSecond = Annotated[float, _of("bit/s")]
-Dimensionless = float
+"""Of places and directions, which may be negative; what follows is a size and may not."""
+
+Length = Annotated[Metres, Field(ge=0)]
+Angle = Annotated[Radians, Field(ge=0)]
+Seconds = Annotated[float, _of("s"), Field(ge=0)]
+Newtons = Annotated[float, _of("N"), Field(ge=0)]
+NewtonMetres = Annotated[float, _of("N*m"), Field(ge=0)]
+Hertz = Annotated[float, _of("Hz"), Field(ge=0)]
+Kilograms = Annotated[float, _of("kg"), Field(ge=0)]
+Pascals = Annotated[float, _of("Pa"), Field(ge=0)]
+MetresPerSecond = Annotated[float, _of("m/s"), Field(ge=0)]
+RadiansPerSecond = Annotated[float, _of("rad/s"), Field(ge=0)]
+NewtonsPerMetre = Annotated[float, _of("N/m"), Field(ge=0)]
+NewtonMetresPerRadian = Annotated[float, _of("N*m/rad"), Field(ge=0)]
+BitsPerSecond = Annotated[float, _of("bit/s"), Field(ge=0)]

@@ -48,15 +48,23 @@ class Rig(Section):
         names = [part.name for part in self.fixture.parts]
         if len(names) != len(set(names)):
             raise ValueError(f"fixture.parts: names must differ, found {names}")
-        if self.cable.thickness >= self.connector.height:
-            raise ValueError("connector.height must exceed cable.thickness, or nothing can enter")
-        if self.cable.width >= self.connector.width:
-            raise ValueError("connector.width must exceed cable.width, or nothing can enter")
-        if self.task.goal_depth > self.connector.depth:
-            raise ValueError("task.goal_depth lies below the slot's floor (connector.depth)")
+        misfit = _misfit(self)
+        if misfit:
+            raise ValueError(misfit)
         for axis in self.randomisation.axes:
             bounds(self, axis)
         return self
+
+
+def _misfit(rig: Rig) -> str:
+    """Why the part cannot go into the slot as deep as the job wants; "" when it can."""
+    if rig.cable.thickness >= rig.connector.height:
+        return "connector.height must exceed cable.thickness, or nothing can enter"
+    if rig.cable.width >= rig.connector.width:
+        return "connector.width must exceed cable.width, or nothing can enter"
+    if rig.task.goal_depth > rig.connector.depth:
+        return "task.goal_depth lies below the slot's floor (connector.depth)"
+    return ""
 
 
 def load(path: Path) -> Rig:
@@ -110,22 +118,30 @@ def bounds(rig: Rig, axis: Axis) -> tuple[float, float]:
     section = getattr(rig, head, None)
     if not isinstance(section, Section) or not isinstance(getattr(section, field, None), float):
         raise ValueError(f"randomisation: '{axis.key}' is not a number of this rig")
-    low, high = (
-        float(getattr(type(section).model_validate({field: end}), field))
-        for end in (axis.low, axis.high)
-    )
+    low, high = (_in_si(type(section), axis.key, field, end) for end in (axis.low, axis.high))
     if low > high:
         raise ValueError(f"randomisation: {axis.key} goes from {axis.low} down to {axis.high}")
     return low, high
 
 
+def _in_si(section: type[Section], key: str, field: str, end: str | float) -> float:
+    try:
+        return float(getattr(section.model_validate({field: end}), field))
+    except ValidationError as error:
+        reason = error.errors()[0]["msg"].removeprefix("Value error, ")
+        raise ValueError(f"randomisation: {key}: {reason}") from None
+
+
 def drawn(rig: Rig, rng: np.random.Generator) -> Rig:
-    """The rig with every enabled axis drawn uniformly."""
+    """The rig with every enabled axis drawn uniformly; RigError for a draw that fits nowhere."""
     for axis in rig.randomisation.axes if rig.randomisation.enabled else ():
         head, _, field = axis.key.partition(".")
         value = float(rng.uniform(*bounds(rig, axis)))
         section = getattr(rig, head).model_copy(update={field: value})
         rig = rig.model_copy(update={head: section})
+    misfit = _misfit(rig)
+    if misfit:
+        raise RigError(f"randomisation drew a cell that cannot be built: {misfit}")
     return rig
 
 

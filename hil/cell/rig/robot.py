@@ -4,7 +4,15 @@ from typing import Literal
 
 from pydantic import Field
 
-from hil.cell.rig.quantity import Hertz, Metres, MetresPerSecond, Radians, RadiansPerSecond, Seconds
+from hil.cell.rig.quantity import (
+    Angle,
+    Hertz,
+    Length,
+    MetresPerSecond,
+    Radians,
+    RadiansPerSecond,
+    Seconds,
+)  # fmt: skip
 from hil.cell.rig.section import Section
 
 Model = Literal[
@@ -28,16 +36,16 @@ class Servo(Section):
     contact-free tracking (22 Hz gives a ramp lag of 14.5 ms).
     """
 
-    bandwidth: Hertz = 22.0
+    bandwidth: Hertz = Field(default=22.0, gt=0)
 
 
 class Safety(Section):
     """Limits of the robot's own safety system; beyond one it makes a protective stop."""
 
-    joint_speed: RadiansPerSecond = 3.1415926535897931
-    tcp_speed: MetresPerSecond = 1.0
-    joint_range: Radians = 6.2831853071795862
-    servo_step: Radians = 0.05
+    joint_speed: RadiansPerSecond = Field(default=3.1415926535897931, gt=0)
+    tcp_speed: MetresPerSecond = Field(default=1.0, gt=0)
+    joint_range: Angle = 6.2831853071795862
+    servo_step: Angle = 0.05
     """Largest joint set-point jump of one control period."""
 
 
@@ -59,7 +67,7 @@ class Robot(Section):
     version: str = Field(default="3.15.8.106339", pattern=r"^\d+\.\d+\.\d+\.\d+$")
     host: str = "127.0.0.1"
     ports: Ports = Ports()
-    repeatability: Metres = 0.03e-3
+    repeatability: Length = 0.03e-3
     """Half width of the true pose's offset from the reported one, drawn anew at every grip."""
     home: tuple[Radians, Radians, Radians, Radians, Radians, Radians] = (
         0.0,

@@ -38,11 +38,11 @@ class Sensor(Section):
     """The sensor: range, resolution, filter, errors, and how it talks."""
 
     preset: Literal["nrs-6050-d80", "nrs-6050-d80-quiet"] = "nrs-6050-d80"
-    rate: Hertz = 1000.0
-    range_force: Newtons = 500.0
-    range_torque: NewtonMetres = 10.0
-    resolution_force: Newtons = 0.015
-    resolution_torque: NewtonMetres = 0.312e-3
+    rate: Hertz = Field(default=1000.0, gt=0)
+    range_force: Newtons = Field(default=500.0, gt=0)
+    range_torque: NewtonMetres = Field(default=10.0, gt=0)
+    resolution_force: Newtons = Field(default=0.015, gt=0)
+    resolution_torque: NewtonMetres = Field(default=0.312e-3, gt=0)
     saturation: float = Field(default=1.2, ge=1.0, le=1.9)
     """Clipping point as a multiple of the range."""
     filter_cutoff: Hertz = 0.0
@@ -60,4 +60,4 @@ class CanBus(Section):
 
     interface: Literal["auto", "virtual", "udp_multicast", "socketcan"] = "auto"
     channel: str = ""
-    bitrate: BitsPerSecond = 1e6
+    bitrate: BitsPerSecond = Field(default=1e6, gt=0)

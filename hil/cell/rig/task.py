@@ -3,7 +3,7 @@
 from pydantic import Field
 
 from hil.cell.rig.latency import LatencyLaw
-from hil.cell.rig.quantity import Metres, MetresPerSecond, NewtonMetres, Newtons, Radians, Seconds
+from hil.cell.rig.quantity import Angle, Length, MetresPerSecond, NewtonMetres, Newtons, Seconds
 from hil.cell.rig.section import Section
 
 
@@ -11,26 +11,26 @@ class Limits(Section):
     """What ends a run safely. force_bound is the paper's f_b on |fx|, |fy|, |fz|, |tau_z|."""
 
     force_bound: tuple[Newtons, Newtons, Newtons, NewtonMetres] = (1.5, 1.5, 10.0, 1.0)
-    workspace: tuple[Metres, Metres, Metres] = (0.4, 0.4, 0.3)
+    workspace: tuple[Length, Length, Length] = (0.4, 0.4, 0.3)
     """Half widths around the connector, base frame."""
-    step: Metres = 3e-3
+    step: Length = Field(default=3e-3, gt=0)
     """Largest set-point change of one period."""
-    step_rotation: Radians = 0.02
-    speed: MetresPerSecond = 0.3
-    sample_age: Seconds = 10e-3
+    step_rotation: Angle = Field(default=0.02, gt=0)
+    speed: MetresPerSecond = Field(default=0.3, gt=0)
+    sample_age: Seconds = Field(default=10e-3, gt=0)
 
 
 class Task(Section):
     """The insertion: contact force, the six actions' sizes, goal, and where episodes start."""
 
-    contact_force: Newtons = 5.0
-    step: Metres = 0.3e-3
-    step_rotation: Radians = 0.0174532925199433
-    goal_depth: Metres = 2.0e-3
+    contact_force: Newtons = Field(default=5.0, gt=0)
+    step: Length = Field(default=0.3e-3, gt=0)
+    step_rotation: Angle = Field(default=0.0174532925199433, gt=0)
+    goal_depth: Length = Field(default=2.0e-3, gt=0)
     max_steps: int = Field(default=500, ge=1)
     start_cells: tuple[int, int, int] = (8, 8, 6)
     """Half widths of the start's uniform draw in x, y, theta, in steps."""
-    clearance: Metres = 5e-3
+    clearance: Length = 5e-3
     """Height above the face at which the approach begins."""
 
 
