@@ -17,6 +17,7 @@ from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
 from drivers.interfaces import SensorHealth
+from hil.app.affinity import on_one_core
 from hil.app.cell import CellReport, RunningCell
 from hil.app.inline import InlineCell
 from hil.app.near import NearSide, drivers, limits, part_named, start_plan, task_frame
@@ -38,7 +39,7 @@ class Request:
     """What to run. rig_text: the rig file's bytes, attached to the recording.
 
     layout: `inline` or `process`, where the cell runs. clock: `lockstep` or `wall`.
-    out: folder of the recording, None for none.
+    out: folder of the recording, None for none. alone: no other run shares this machine.
     """
 
     rig: Rig
@@ -50,6 +51,12 @@ class Request:
     clock: str = "lockstep"
     out: Path | None = None
     overwrite: bool = False
+    alone: bool = False
+
+    @property
+    def takes_turns(self) -> bool:
+        """Whether one core serves this run best."""
+        return self.alone and self.layout == "inline" and self.clock == "lockstep"
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +94,7 @@ def run(request: Request, watch: Watch) -> Result:
     plan = start_plan(request.rig, part, request.seed)
     with ExitStack() as stack:
         recorder = _recorder(request, stack)
+        stack.enter_context(on_one_core(wanted=request.takes_turns))
         cell = stack.enter_context(open_cell(request))
         frame, period = task_frame(request.rig), request.rig.robot.period
         record = RunRecord(recorder, cell, frame, period) if recorder else None

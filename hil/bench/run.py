@@ -19,6 +19,7 @@ from controller.phases.contact import contact
 from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
+from hil.app.affinity import on_one_core
 from hil.app.inline import InlineCell
 from hil.app.near import NearSide, drivers, limits, plan, task_frame
 from hil.app.record import RunRecord, identity
@@ -103,6 +104,7 @@ class _Bench:
             recorder = Recorder(folder / "run", identity(self._rig.name, self._text, 1, {}))
             recorder.open()
             stack.callback(recorder.abandon)
+            stack.enter_context(on_one_core(wanted=self._case.clock == "lockstep"))
             cell = InlineCell(self._rig, 1, self._rig.clock)
             stack.enter_context(cell)
             near = drivers(self._rig, cell.doors, None)
