@@ -15,26 +15,26 @@ class Hysteresis:
 
     def __init__(self, width: float) -> None:
         self._width = width
-        self._peak = np.zeros(6)
+        self._half = np.zeros(6)  # half of the peak excursion
         self._play = np.zeros(6)
 
     def follow(self, loads: Array) -> Array:
         """Readings of consecutive loads, (n, 6)."""
         if self._width == 0.0:
             return loads
-        self._peak = np.maximum(self._peak, np.maximum.reduce(np.abs(loads)))
         slack = loads - self._play
-        # Mostly the load stays inside the band and the play stands still.
-        if np.count_nonzero(np.abs(slack) > 0.5 * self._peak):
+        # Mostly the load stays inside the band; the play stands still, and no peak can grow, since
+        # the play is never further out than the band is wide.
+        if np.count_nonzero(np.abs(slack) > self._half):
+            self._half = np.maximum(self._half, 0.5 * np.maximum.reduce(np.abs(loads)))
             slack = loads - self._drag(loads)
         return loads - self._width * slack
 
     def _drag(self, loads: Array) -> Array:
         """Play after each load, (n, 6): pulled along where a load leaves the band."""
-        half = 0.5 * self._peak
         track = np.empty_like(loads)
         play = self._play
-        for low, high, row in zip(loads - half, loads + half, track, strict=True):
+        for low, high, row in zip(loads - self._half, loads + self._half, track, strict=True):
             play = np.minimum(np.maximum(play, low), high, out=row)
         self._play = track[-1].copy()
         return track
