@@ -47,7 +47,7 @@ class Bench:
         self._can_in, self._can_out = bus
         self.period = period
         self.t = 0
-        stage = geometry.stage(arm.box.target.flange)
+        stage = geometry.stage(arm.flange)
         self.truth = plant.reset(StageTarget(*stage, jaws_closed=False))
 
     def tick(self) -> PlantStep:

@@ -43,7 +43,7 @@ class Schedule:
         self._bins[min(late // BIN, BINS)] += 1
 
     def lateness(self) -> Lateness:
-        """Statistics so far; percentiles are the upper edge of their bin."""
+        """Statistics so far; percentiles are the upper edge of their bin, the maximum beyond."""
         return Lateness(self._count, self._missed, self._rank(0.5), self._rank(0.99), self._max)
 
     def _due(self) -> int:
@@ -54,5 +54,5 @@ class Schedule:
         for index, count in enumerate(self._bins):
             seen += count
             if count and seen >= wanted:
-                return min((index + 1) * BIN, self._max)
+                return self._max if index == BINS else min((index + 1) * BIN, self._max)
         return 0

@@ -4,7 +4,7 @@ The plant's stage has x, y, z and rotation about the task's z. What the arm tilt
 carried along kinematically: it shows in the arm's pose, contact does not feel it.
 """
 
-from math import atan2, cos, sin
+from math import atan2, cos, remainder, sin, tau
 from typing import TypeAlias
 
 from hil.cell.arm.pose import Pose, Rotation, Vector3
@@ -33,13 +33,13 @@ class TaskGeometry:
         self._length = tool_length
 
     def stage(self, flange: Pose) -> Stage:
-        """The tip's place in the task frame."""
+        """The tip's place in the task frame; theta within half a turn of the connector's."""
         (px, py, pz), rotation = flange
         length = self._length
         x = px + length * rotation[0][2] - self._origin[0]
         y = py + length * rotation[1][2] - self._origin[1]
         z = pz + length * rotation[2][2] - self._origin[2]
-        theta = atan2(rotation[1][0], rotation[0][0]) - self._angle
+        theta = remainder(atan2(rotation[1][0], rotation[0][0]) - self._angle, tau)
         return self._cos * x + self._sin * y, self._cos * y - self._sin * x, z, theta
 
     def flange(self, stage: Stage, target: Pose, target_stage: Stage) -> Pose:

@@ -40,6 +40,11 @@ class ArmController:
         self._dt = robot.period / NS
         self._repeatability = Repeatability(robot.repeatability, rng)
 
+    @property
+    def flange(self) -> Pose:
+        """Where the flange truly stands or goes in the base frame, the hidden error included."""
+        return self._repeatability.true(self.box.target.flange)
+
     def accept(self, values: Mapping[str, object], arrival: int) -> None:
         """Queue RTDE input values; the first frame with t >= arrival, ns, applies them."""
         self.box.inputs.accept(values, arrival)
@@ -59,8 +64,7 @@ class ArmController:
         self._move()
         if box.jaws.drive(box.signals.outputs, t):
             self._repeatability.redraw()
-        flange = self._repeatability.true(box.target.flange)
-        return ArmTarget(box.servo.q, flange, box.jaws.closed)
+        return ArmTarget(box.servo.q, self.flange, box.jaws.closed)
 
     def observe(
         self, t: int, flange: Pose, twist: Vector6, force: Vector6, part_held: bool
