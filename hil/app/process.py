@@ -1,8 +1,9 @@
 """The cell in a process of its own: only the wires, and a pipe for start, stop and records."""
 
 import signal
-from collections.abc import Callable
-from multiprocessing import get_context
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from multiprocessing import get_context, resource_tracker
 from multiprocessing.connection import Connection
 from typing import Self
 
@@ -26,7 +27,8 @@ class CellProcess:
         context = get_context("spawn")
         self._pipe, theirs = context.Pipe()
         self._child = context.Process(target=_serve, args=(theirs, rig, seed, clock, record))
-        self._child.start()
+        with uninterrupted():
+            self._child.start()
         theirs.close()
         self._entries: list[Entry] = []
         self._doors, self._description = self._first_word()
@@ -94,9 +96,6 @@ class CellProcess:
 
 def _serve(pipe: Connection, rig: Rig, seed: int, clock: str, record: bool) -> None:
     """The child's main: serve until told to stop or until the parent is gone."""
-    signal.signal(
-        signal.SIGINT, signal.SIG_IGN
-    )  # Ctrl-C reaches the whole group; the parent stops us
     from hil.app.pacing import pace  # noqa: PLC0415  MuJoCo loads only with a cell
     from hil.cell.assemble import serve  # noqa: PLC0415
 
@@ -106,9 +105,22 @@ def _serve(pipe: Connection, rig: Rig, seed: int, clock: str, record: bool) -> N
             pipe.send((cell.doors, cell.describe()))
             observe = _keeper(kept) if record else _ignore
             report = pace(cell, clock, pipe.poll, observe)
-        pipe.send((report, kept))
+        word: object = (report, kept)
     except Exception as error:
-        pipe.send(error)
+        word = error
+    with suppress(BrokenPipeError):  # the parent gave up or died, and wants no records
+        pipe.send(word)
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Children started here never see SIGINT: a terminal sends it to all, the parent ends them."""
+    resource_tracker.ensure_running()  # else the first start would, and unblock SIGINT
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _keeper(kept: list[Entry]) -> Callable[[Tick], None]:

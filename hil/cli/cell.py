@@ -51,10 +51,17 @@ def run(
 ) -> int:
     """Run one assembly against a rig and record it; exit status 1 when it was not inserted."""
     from hil.app.run import Request  # noqa: PLC0415
+    from hil.cell.errors import RigError  # noqa: PLC0415
     from hil.cli.assembly import ignore, on_free_ports, perform, report  # noqa: PLC0415
     from hil.cli.shipped import read  # noqa: PLC0415
 
+    if policy is PolicyName.ORACLE and cell is Layout.PROCESS:
+        raise typer.BadParameter(
+            "oracle reads the plant's truth, which only --cell inline has", param_hint="--policy"
+        )
     found, text = read(rig)
+    if not found.fixture.parts:
+        raise RigError(f"{rig}: nothing to assemble; name a cable under fixture.parts")
     request = Request(
         rig=found if rig_ports else on_free_ports(found),
         rig_text=text,
@@ -65,6 +72,7 @@ def run(
         clock=clock.value if clock else found.clock,
         out=out,
         overwrite=overwrite,
+        alone=True,
     )
     return report(perform(request, ignore, json=json), out, json=json)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 from subprocess import TimeoutExpired, run
+from tempfile import TemporaryFile
 from typing import Final
 
 PYTHON: Final = (3, 11)
@@ -150,11 +151,10 @@ def can_interfaces() -> Finding:
 
 def rendering() -> Finding:
     """One off-screen frame in a child: a missing GL library may end the process that tries."""
-    backend = os.environ.get("MUJOCO_GL", "egl")
     try:
         child = run(
             [sys.executable, "-c", DRAW],
-            env=os.environ | {"MUJOCO_GL": backend},
+            env=os.environ | {"MUJOCO_GL": "egl"},  # as hil.view.scene draws
             capture_output=True,
             timeout=DRAW_LIMIT,
             check=False,
@@ -163,15 +163,17 @@ def rendering() -> Finding:
     except TimeoutExpired:
         drawn = False
     if drawn:
-        return Finding("rendering", Verdict.OK, f"MUJOCO_GL={backend} draws off screen")
+        return Finding("rendering", Verdict.OK, "EGL draws off screen")
     advice = "pictures of the scene only: apt-get install libegl1 libgl1-mesa-dri"
-    return Finding("rendering", Verdict.LIMITED, f"MUJOCO_GL={backend} cannot draw", advice)
+    return Finding("rendering", Verdict.LIMITED, "EGL cannot draw off screen", advice)
 
 
 def folder(out: Path) -> Finding:
     """Whether runs can be recorded under `out`, without making it."""
     place = next(path for path in (out.absolute(), *out.absolute().parents) if path.exists())
-    if not (place.is_dir() and os.access(place, os.W_OK)):
+    try:
+        TemporaryFile(dir=place).close()  # access rights alone say yes to root, even in /proc
+    except OSError:
         advice = "name another folder with --out"
         return Finding("folder", Verdict.MISSING, f"{place} is not writable", advice)
     free = shutil.disk_usage(place).free / 2**30

@@ -7,7 +7,7 @@ import typer
 from hil.app.run import Request
 from hil.cli.assembly import on_free_ports, perform, report
 from hil.cli.options import DEFAULT_RIG
-from hil.cli.pictures import Photographer, draw
+from hil.cli.pictures import Photographer, clear, draw
 from hil.cli.shipped import read
 
 
@@ -21,8 +21,11 @@ def demo(out: Path, seed: int | None, *, json: bool, overwrite: bool) -> int:
         part=rig.first_part,
         out=out,
         overwrite=overwrite,
+        alone=True,
     )
-    camera = Photographer(out)
+    camera = Photographer()
+    if overwrite:
+        clear(out)
     result = perform(request, camera.watch, json=json)
     lines = [*draw(out), camera.develop(DEFAULT_RIG, out / "scene.png")]
     if not json:

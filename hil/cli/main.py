@@ -1,52 +1,44 @@
-"""The `hil` command: what it offers, and how it ends."""
+"""The `hil` command: how it begins, and how it ends."""
 
+import os
+import signal
 import sys
 from collections.abc import Sequence
 
-import typer
-
-from hil.cli import bench, cell, doctor, experiment, recordings, rig
-from hil.cli.errors import INTERRUPTED, line, status
+from hil.cli.errors import INTERRUPTED, said, status
+from hil.cli.interrupts import heard
 
 
-def build() -> typer.Typer:
-    """The command tree; nothing of the testbed is imported until a command runs."""
-    app = typer.Typer(
-        name="hil",
-        help="An emulated robot cell (UR arm, F/T sensor, contact) behind real wires.",
-        add_completion=False,
-        no_args_is_help=True,
-        pretty_exceptions_enable=False,
-        rich_markup_mode=None,  # rich's help takes twice as long to import as all else
-    )
-    app.command()(cell.demo)
-    app.command()(cell.run)
-    app.command()(cell.up)
-    app.command()(recordings.replay)
-    app.command()(recordings.diff)
-    app.command()(bench.bench)
-    app.command()(doctor.doctor)
-    app.add_typer(rig.build(), name="rig")
-    app.add_typer(experiment.build(), name="experiment")
-    return app
+def call(arguments: Sequence[str], signals: Sequence[int] = ()) -> int:
+    """Run one command line; its exit status. Known errors become one line on stderr.
 
-
-def call(arguments: Sequence[str]) -> int:
-    """Run one command line; its exit status. Known errors become one line on stderr."""
+    signals: those that asked the command to end, as they come.
+    """
     try:
-        code = build()(list(arguments), prog_name="hil", standalone_mode=False)
-    except (KeyboardInterrupt, typer.Abort):
-        code = INTERRUPTED
-    except Exception as error:
-        known = status(error)
+        from hil.cli.commands import build  # noqa: PLC0415  so that a Ctrl-C meets `heard` first
+
+        code = build()(list(arguments), prog_name="hil", standalone_mode=False) or 0
+    except BaseException as error:
+        known = INTERRUPTED if signals else status(error)
         if known is None:
             raise
-        print(f"hil: {line(error)}", file=sys.stderr)
-        return known
-    if code == INTERRUPTED:
-        print("hil: interrupted", file=sys.stderr)
-    return code or 0
+        if known != INTERRUPTED:
+            print(said(error), file=sys.stderr)
+        code = known
+    return _interrupted(signals) if code == INTERRUPTED else code
+
+
+def _interrupted(signals: Sequence[int]) -> int:
+    """Say what ended the command; the exit status as a shell reports it."""
+    terminated = signal.SIGTERM in signals
+    print(f"hil: {'terminated' if terminated else 'interrupted'}", file=sys.stderr)
+    return 128 + signal.SIGTERM if terminated else INTERRUPTED
 
 
 def main() -> None:
-    sys.exit(call(sys.argv[1:]))
+    # MuJoCo fails to import where the OpenGL named here is missing; a cell needs none, and
+    # hil.view.scene draws in a process that chooses its own.
+    os.environ["MUJOCO_GL"] = "off"
+    with heard() as signals:
+        code = call(sys.argv[1:], signals)
+    sys.exit(code)

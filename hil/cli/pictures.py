@@ -1,5 +1,6 @@
 """Draws a finished run into its folder: a figure, a page around it, a picture of the scene."""
 
+from contextlib import suppress
 from importlib.resources import as_file
 from pathlib import Path
 
@@ -18,29 +19,36 @@ MOMENT = "insert"
 """The phase at whose beginning the scene is kept: the tip has just found the slot."""
 
 
-class Photographer:
-    """Keeps the plant's state at one moment of a run; `path` is where."""
+PICTURES = ("run.png", "run.html", "scene.png")
 
-    def __init__(self, out: Path) -> None:
-        self.path = out / "scene.npz"
-        self._kept = False
+
+class Photographer:
+    """Keeps the plant's state at one moment of a run, and draws it once the run is over."""
+
+    def __init__(self) -> None:
+        self._kept = b""
 
     def watch(self, _cycle: Cycle, course: Course, cell: RunningCell) -> None:
         if self._kept or course.name != MOMENT or not isinstance(cell, InlineCell):
             return
         plant = cell.served.bench.plant
         if isinstance(plant, FfcPlant):
-            scene.keep(plant, self.path)
-            self._kept = True
+            self._kept = scene.keep(plant)
 
     def develop(self, rig: str, picture: Path) -> str:
         """Draw what was kept; the line that says where it is, or why there is none."""
         if not self._kept:
             return "no picture of the scene: the slot was not found"
         with as_file(find(rig)) as rig_file:
-            problem = scene.draw(rig_file, self.path, picture)
-        self.path.unlink()
+            problem = scene.draw(rig_file, self._kept, picture)
         return f"no picture of the scene: {problem}" if problem else f"scene {picture}"
+
+
+def clear(out: Path) -> None:
+    """Take away an earlier run's pictures, which would pass for the next one's."""
+    for name in PICTURES:
+        with suppress(NotADirectoryError):  # the recorder will say so
+            (out / name).unlink(missing_ok=True)
 
 
 def draw(out: Path) -> list[str]:

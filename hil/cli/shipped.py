@@ -30,14 +30,15 @@ def read(name: str) -> tuple[Rig, bytes]:
 def find(name: str) -> Traversable:
     """The file meant by a path or a shipped name; RigError lists what there is."""
     path = Path(name)
-    if path.suffix in {".yaml", ".yml"} or path.exists():
+    if path.suffix in {".yaml", ".yml"} or (path.exists() and not path.is_dir()):
         return path
     rigs = shipped()
     if name in rigs:
         return rigs[name]
     near = get_close_matches(name, rigs, n=1)
     hint = f"did you mean '{near[0]}'? " if near else ""
-    raise RigError(f"no rig '{name}'; {hint}shipped are: {', '.join(sorted(rigs)) or 'none'}")
+    what = f"'{name}' is a folder, not a rig" if name and path.is_dir() else f"no rig '{name}'"
+    raise RigError(f"{what}; {hint}shipped are: {', '.join(sorted(rigs)) or 'none'}")
 
 
 def shipped() -> dict[str, Traversable]:

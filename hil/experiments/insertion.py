@@ -13,6 +13,7 @@ from controller.course import Course
 from controller.cycle import Cycle
 from controller.outcome import Kind
 from hil.app.cell import RunningCell
+from hil.app.process import uninterrupted
 from hil.app.run import Request, run
 from hil.cell.plant.interface import PlantStep
 from hil.cell.rig import Rig
@@ -98,7 +99,10 @@ def one(rig: Rig, seed: int, part: str, policy: str) -> Row:
 def rows(rig: Rig, part: str, policy: str, seeds: range, workers: int = 2) -> Iterator[Row]:
     """The runs, in the order of their seeds, several at a time in processes of their own."""
     with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        yield from pool.map(one, *zip(*((rig, seed, part, policy) for seed in seeds), strict=True))
+        jobs = zip(*((rig, seed, part, policy) for seed in seeds), strict=True)
+        with uninterrupted():
+            results = pool.map(one, *jobs)
+        yield from results
 
 
 @dataclass(frozen=True, slots=True)

@@ -55,6 +55,8 @@ def load(path: Path) -> Recording:
         content = file.read_bytes()
     except OSError as error:
         raise RecordingError(f"{file}: cannot be read: {error.strerror}") from None
+    if not content:
+        raise RecordingError(f"{file}: is empty")
     found, damage = _records(file, content)
     return Recording(
         path=file,

@@ -7,6 +7,7 @@ a run must not depend on either.
 import os
 import subprocess
 import sys
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -17,19 +18,20 @@ LIMIT = 60.0
 """Wall seconds; software rendering of one frame takes about one."""
 
 
-def keep(plant: FfcPlant, path: Path) -> None:
-    """Write what a picture needs of the plant's present state."""
-    state, model = plant.state, plant.model
-    np.savez(path, qpos=state.qpos, body_pos=model.body_pos, body_quat=model.body_quat)
+def keep(plant: FfcPlant) -> bytes:
+    """What a picture needs of the plant's present state."""
+    state, model, kept = plant.state, plant.model, BytesIO()
+    np.savez(kept, qpos=state.qpos, body_pos=model.body_pos, body_quat=model.body_quat)
+    return kept.getvalue()
 
 
-def draw(rig: Path, kept: Path, picture: Path) -> str:
+def draw(rig: Path, kept: bytes, picture: Path) -> str:
     """Draw a kept moment into a PNG; "" or the line that says why there is none."""
     environment = {**os.environ, "MUJOCO_GL": "egl"}
-    command = [sys.executable, "-m", "hil.view.scene", str(rig), str(kept), str(picture)]
+    command = [sys.executable, "-m", "hil.view.scene", str(rig), str(picture)]
     try:
         child = subprocess.run(
-            command, env=environment, capture_output=True, text=True, timeout=LIMIT, check=False
+            command, input=kept, env=environment, capture_output=True, timeout=LIMIT, check=False
         )
     except subprocess.TimeoutExpired:
         return f"rendering took longer than {LIMIT:g} s"
@@ -38,8 +40,8 @@ def draw(rig: Path, kept: Path, picture: Path) -> str:
     return "no off-screen OpenGL here; install libegl1 and libgl1-mesa-dri (Debian)"
 
 
-def main(rig: Path, kept: Path, picture: Path) -> None:
-    """The child: the rig's plant in the kept state, through the close-up camera."""
+def main(rig: Path, picture: Path) -> None:
+    """The child: the rig's plant in the state kept at stdin, through the close-up camera."""
     import mujoco  # noqa: PLC0415
     from matplotlib.image import imsave  # noqa: PLC0415
 
@@ -47,7 +49,7 @@ def main(rig: Path, kept: Path, picture: Path) -> None:
     from hil.cell.rig import load  # noqa: PLC0415
 
     plant = FfcPlant(load(rig), np.random.default_rng(0))
-    with np.load(kept) as state:
+    with np.load(BytesIO(sys.stdin.buffer.read())) as state:
         plant.model.body_pos[:], plant.model.body_quat[:] = state["body_pos"], state["body_quat"]
         plant.state.qpos[:] = state["qpos"]
     mujoco.mj_forward(plant.model, plant.state)
@@ -55,4 +57,4 @@ def main(rig: Path, kept: Path, picture: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(*(Path(argument) for argument in sys.argv[1:4]))
+    main(*(Path(argument) for argument in sys.argv[1:3]))

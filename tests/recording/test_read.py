@@ -41,11 +41,17 @@ def test_a_file_cut_anywhere_gives_a_prefix_or_one_clear_error(tmp_path, record,
     whole = (tmp_path / "run.mcap").read_bytes()
     complete = load(tmp_path).messages
     cut = tmp_path / "cut.mcap"
-    for length in range(0, len(whole) - 1, 23):
+    for length in range(1, len(whole) - 1, 23):
         cut.write_bytes(whole[:length])
         run = load(cut)
         assert run.ending
         assert run.messages == complete[: len(run.messages)]
+
+
+def test_an_empty_file_is_no_recording(tmp_path):
+    (tmp_path / "run.mcap").touch()
+    with pytest.raises(RecordingError, match="is empty"):
+        load(tmp_path)
 
 
 def test_a_damaged_byte_never_shows_as_another_message(tmp_path, record, entries):

@@ -56,10 +56,22 @@ def test_a_run_that_ends_in_an_error_leaves_a_part_file_only(tmp_path, identity,
     assert [path.name for path in (tmp_path / "a").iterdir()] == ["run.mcap.part"]
 
 
-def test_a_folder_in_use_is_refused(tmp_path, record, entries):
+def test_a_folder_that_holds_a_run_is_refused(tmp_path, record, entries):
     record(tmp_path / "a", entries)
-    with pytest.raises(RecordingError, match="is not empty"):
+    with pytest.raises(RecordingError, match="holds a run"):
         record(tmp_path / "a", entries)
+
+
+def test_a_folder_without_a_run_is_taken_and_its_files_kept(tmp_path, record, entries):
+    (tmp_path / "notes.txt").write_text("mine")
+    (tmp_path / "run.mcap.part").write_text("what an interrupted run left")
+    record(tmp_path, entries)
+    assert {path.name for path in tmp_path.iterdir()} == {"notes.txt", "run.mcap"}
+
+
+def test_a_folder_that_a_run_is_recorded_into_is_refused_even_to_overwrite(tmp_path, identity):
+    with Recorder(tmp_path, identity), pytest.raises(RecordingError, match="another run"):
+        Recorder(tmp_path, identity, overwrite=True).open()
 
 
 def test_overwrite_replaces_the_recording_and_nothing_else(tmp_path, record, entries):

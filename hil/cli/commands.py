@@ -1,0 +1,27 @@
+"""The command tree; nothing of the testbed is imported until a command runs."""
+
+import typer
+
+from hil.cli import bench, cell, doctor, experiment, recordings, rig
+
+
+def build() -> typer.Typer:
+    """Every command of `hil`."""
+    app = typer.Typer(
+        name="hil",
+        help="An emulated robot cell (UR arm, F/T sensor, contact) behind real wires.",
+        add_completion=False,
+        no_args_is_help=True,
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,  # rich's help takes twice as long to import as all else
+    )
+    app.command()(cell.demo)
+    app.command()(cell.run)
+    app.command()(cell.up)
+    app.command()(recordings.replay)
+    app.command()(recordings.diff)
+    app.command()(bench.bench)
+    app.command()(doctor.doctor)
+    app.add_typer(rig.build(), name="rig")
+    app.add_typer(experiment.build(), name="experiment")
+    return app
