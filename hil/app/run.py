@@ -17,13 +17,13 @@ from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
 from drivers.interfaces import SensorHealth
-from hil.app.affinity import on_one_core
 from hil.app.cell import CellReport, RunningCell
 from hil.app.inline import InlineCell
 from hil.app.near import NearSide, drivers, limits, part_named, start_plan, task_frame
 from hil.app.policy import policy
 from hil.app.process import CellProcess
 from hil.app.record import RunRecord, identity
+from hil.app.undisturbed import undisturbed
 from hil.cell.rig import Rig
 from hil.recording.recorder import Recorder
 
@@ -94,7 +94,7 @@ def run(request: Request, watch: Watch) -> Result:
     plan = start_plan(request.rig, part, request.seed)
     with ExitStack() as stack:
         recorder = _recorder(request, stack)
-        stack.enter_context(on_one_core(wanted=request.takes_turns))
+        stack.enter_context(undisturbed(wanted=request.takes_turns))
         cell = stack.enter_context(open_cell(request))
         frame, period = task_frame(request.rig), request.rig.robot.period
         record = RunRecord(recorder, cell, frame, period) if recorder else None

@@ -19,10 +19,10 @@ from controller.phases.contact import contact
 from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
-from hil.app.affinity import on_one_core
 from hil.app.inline import InlineCell
 from hil.app.near import NearSide, drivers, limits, plan, task_frame
 from hil.app.record import RunRecord, identity
+from hil.app.undisturbed import undisturbed
 from hil.bench.case import Case
 from hil.bench.meter import Meter
 from hil.cell.clock import Lateness
@@ -104,7 +104,7 @@ class _Bench:
             recorder = Recorder(folder / "run", identity(self._rig.name, self._text, 1, {}))
             recorder.open()
             stack.callback(recorder.abandon)
-            stack.enter_context(on_one_core(wanted=self._case.clock == "lockstep"))
+            stack.enter_context(undisturbed(wanted=self._case.clock == "lockstep"))
             cell = InlineCell(self._rig, 1, self._rig.clock)
             stack.enter_context(cell)
             near = drivers(self._rig, cell.doors, None)
