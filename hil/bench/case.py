@@ -5,6 +5,7 @@ from difflib import get_close_matches
 
 from hil.cell.errors import RigError
 from hil.cell.rig import Rig
+from hil.cell.rig.robot import FREE_PORTS
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,8 +21,7 @@ class Case:
     def rig(self, rig: Rig) -> Rig:
         """The rig with this case's rate, step and clock."""
         version = "3.15.8.106339" if self.series == "cb3" else "5.11.0.108249"
-        ports = type(rig.robot.ports)(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
-        robot = {"series": self.series, "version": version, "ports": ports}
+        robot = {"series": self.series, "version": version, "ports": FREE_PORTS}
         return rig.model_copy(
             update={
                 "robot": rig.robot.model_copy(update=robot),

@@ -34,3 +34,19 @@ class Meter:
         """Count these methods of one object for `part`."""
         for method in methods:
             setattr(owner, method, self.timed(part, getattr(owner, method)))
+
+    def stand_in(self, part: str, owner: object, name: str, *methods: str) -> None:
+        """Put a stand-in for `owner.name`, whose class allows no wrapped methods."""
+        setattr(owner, name, _StandIn(self, part, getattr(owner, name), methods))
+
+
+class _StandIn:
+    """Everything of an object, some of its methods measured."""
+
+    def __init__(self, meter: Meter, part: str, of: object, methods: tuple[str, ...]) -> None:
+        self._of = of
+        for method in methods:
+            setattr(self, method, meter.timed(part, getattr(of, method)))
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self._of, name)

@@ -1,7 +1,6 @@
 """Runs a case: part gripped, pressed on the face or held above it, for so many bench seconds."""
 
 import gc
-import resource
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
@@ -42,8 +41,16 @@ class Measured:
     real_time_factor: float
     periods: int
     parts: dict[str, float]
-    memory_mb: float
     lateness: Lateness | None
+
+    def figures(self) -> dict[str, object]:
+        """As a program reads them."""
+        return {
+            "real_time_factor": self.real_time_factor,
+            "periods": self.periods,
+            "parts": self.parts,
+            "lateness_ns": None if self.lateness is None else self.lateness._asdict(),
+        }
 
 
 def measure(rig: Rig, rig_text: bytes, case: Case, seconds: float) -> Measured:
@@ -55,9 +62,7 @@ def measure(rig: Rig, rig_text: bytes, case: Case, seconds: float) -> Measured:
         metered = _Bench(case.rig(rig), rig_text, case, min(seconds, 5.0), Meter())
         metered.perform()
         parts = metered.parts()
-    return Measured(
-        case, plain.real_time_factor, plain.periods, parts, plain.memory_mb, plain.lateness
-    )
+    return Measured(case, plain.real_time_factor, plain.periods, parts, plain.lateness)
 
 
 class _Bench:
@@ -73,7 +78,6 @@ class _Bench:
         self._wall = self._bench = 0.0
         self._near_cpu = 0
         self.periods = 0
-        self.memory_mb = 0.0
         self.lateness: Lateness | None = None
 
     @property
@@ -98,7 +102,6 @@ class _Bench:
         return {part: ns / self.periods * 1e-3 for part, ns in named.items()}
 
     def perform(self) -> None:
-        before = _resident_mb()
         with ExitStack() as stack:
             folder = Path(stack.enter_context(TemporaryDirectory()))
             recorder = Recorder(folder / "run", identity(self._rig.name, self._text, 1, {}))
@@ -114,7 +117,6 @@ class _Bench:
             if self._meter is not None:
                 self._instrument(self._meter, cell, near, self._record)
             self._drive(near)
-            self.memory_mb = _resident_mb() - before
             self.lateness = cell.stop().lateness
 
     def _instrument(
@@ -123,6 +125,7 @@ class _Bench:
         served = cell.served
         bench = served.bench
         meter.wrap("physics", bench.plant, "step")
+        meter.stand_in("arm", bench, "arm", "frame", "observe")
         meter.wrap("sensor", bench.node, "advance")
         meter.wrap("can", served.gateway, "send", "receive")
         meter.wrap("rtde", served.server, "poll", "publish", "flush")
@@ -167,8 +170,3 @@ class _Bench:
     def _observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
         if self._record is not None and self._course is not None:
             self._record.cycle(cycle, setpoint, self._course)
-
-
-def _resident_mb() -> float:
-    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
-    return pages * resource.getpagesize() / 1e6

@@ -9,20 +9,11 @@ from controller.cycle import Cycle
 from controller.outcome import Kind
 from hil.app.cell import RunningCell
 from hil.app.run import Request, Result, Watch, run
-from hil.cell.rig import Rig
-from hil.cell.rig.robot import Ports
 from hil.cli.errors import FAILED
-from hil.cli.serving import said
 from hil.recording.read import load
 from hil.recording.summary import summarise
 from hil.view.progress import RunProgress
-from hil.view.tables import as_json, of_facts, of_run
-
-
-def on_free_ports(rig: Rig) -> Rig:
-    """The rig with every port 0, so that runs beside each other never meet."""
-    ports = Ports(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
-    return rig.model_copy(update={"robot": rig.robot.model_copy(update={"ports": ports})})
+from hil.view.tables import as_json, of_facts, of_lateness, of_run
 
 
 def ignore(_cycle: Cycle, _course: Course, _cell: RunningCell) -> None:
@@ -81,5 +72,5 @@ def _speed(result: Result) -> dict[str, str | int | float | None]:
         "real-time factor": f"{result.real_time_factor:.1f} ({result.wall:.2f} s of wall time)",
     }
     if result.cell.lateness is not None:
-        lines["lateness"] = said(result.cell.lateness)
+        lines["lateness"] = of_lateness(result.cell.lateness)
     return lines

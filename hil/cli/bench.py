@@ -18,10 +18,19 @@ def bench(
 ) -> None:
     """Measure the loop's real-time factor and the cost of its parts on this machine."""
     from hil.bench.case import chosen  # noqa: PLC0415
+    from hil.bench.first_cycle import measure as startup  # noqa: PLC0415
     from hil.bench.run import measure  # noqa: PLC0415
     from hil.cli.shipped import read  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
     found, content = read(rig)
-    measured = [measure(found, content, entry, seconds) for entry in chosen(tuple(case or ()))]
-    typer.echo(tables.as_json(measured) if json else tables.of_bench(measured), nl=False)
+    names = tuple(case or ())
+    measured = [measure(found, content, entry, seconds) for entry in chosen(names)]
+    first = startup(content)
+    if json:
+        figures: dict[str, object] = {entry.case.name: entry.figures() for entry in measured}
+        typer.echo(tables.as_json({**figures, "startup": first}), nl=False)
+        return
+    typer.echo(tables.of_bench(measured), nl=False)
+    typer.echo(f"command to first control cycle: {first.first_cycle_s:.1f} s")
+    typer.echo(f"memory of a cell with its drivers and recorder: {first.memory_mb:.0f} MB")

@@ -52,7 +52,7 @@ def run(
     """Run one assembly against a rig and record it; exit status 1 when it was not inserted."""
     from hil.app.run import Request  # noqa: PLC0415
     from hil.cell.errors import RigError  # noqa: PLC0415
-    from hil.cli.assembly import ignore, on_free_ports, perform, report  # noqa: PLC0415
+    from hil.cli.assembly import ignore, perform, report  # noqa: PLC0415
     from hil.cli.shipped import read  # noqa: PLC0415
 
     if policy is PolicyName.ORACLE and cell is Layout.PROCESS:
@@ -63,7 +63,7 @@ def run(
     if not found.fixture.parts:
         raise RigError(f"{rig}: nothing to assemble; name a cable under fixture.parts")
     request = Request(
-        rig=found if rig_ports else on_free_ports(found),
+        rig=found if rig_ports else found.on_free_ports(),
         rig_text=text,
         seed=found.seed if seed is None else seed,
         part=part or found.first_part,

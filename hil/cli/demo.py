@@ -5,7 +5,7 @@ from pathlib import Path
 import typer
 
 from hil.app.run import Request
-from hil.cli.assembly import on_free_ports, perform, report
+from hil.cli.assembly import perform, report
 from hil.cli.options import DEFAULT_RIG
 from hil.cli.pictures import Photographer, clear, draw
 from hil.cli.shipped import read
@@ -15,7 +15,7 @@ def demo(out: Path, seed: int | None, *, json: bool, overwrite: bool) -> int:
     """Run, record, draw; the exit status."""
     rig, text = read(DEFAULT_RIG)
     request = Request(
-        rig=on_free_ports(rig),
+        rig=rig.on_free_ports(),
         rig_text=text,
         seed=rig.seed if seed is None else seed,
         part=rig.first_part,

@@ -3,10 +3,9 @@
 import typer
 
 from hil.app.up import up
-from hil.cell.clock import Lateness
 from hil.cell.serve import Doors
 from hil.cli.shipped import read
-from hil.view.tables import as_json, of_facts
+from hil.view.tables import as_json, of_facts, of_lateness
 
 
 def serve(rig: str, seed: int | None, clock: str, *, json: bool) -> int:
@@ -23,16 +22,8 @@ def serve(rig: str, seed: int | None, clock: str, *, json: bool) -> int:
 
     report = up(found, found.seed if seed is None else seed, clock, announce)
     if not json and report.lateness is not None:
-        typer.echo(of_facts({"periods": report.periods, "lateness": said(report.lateness)}))
+        typer.echo(of_facts({"periods": report.periods, "lateness": of_lateness(report.lateness)}))
     return 0
-
-
-def said(late: Lateness) -> str:
-    """Lateness in words."""
-    return (
-        f"p50 {late.p50 / 1e6:.2f} ms, p99 {late.p99 / 1e6:.2f} ms, max {late.max / 1e6:.2f} ms, "
-        f"{late.missed} of {late.periods} periods missed"
-    )
 
 
 def _where(doors: Doors) -> dict[str, str | int | float | None]:

@@ -17,12 +17,9 @@ from hil.app.process import uninterrupted
 from hil.app.run import Request, run
 from hil.cell.plant.interface import PlantStep
 from hil.cell.rig import Rig
-from hil.cell.rig.robot import Ports
 
 SEATED = 0.1e-3
 """How far off the slot's middle a tip inside it can be, m; beyond, it fell off the face."""
-
-EPHEMERAL = Ports(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,9 +77,8 @@ class Referee:
 
 def one(rig: Rig, seed: int, part: str, policy: str) -> Row:
     """One run in lockstep, without a recording."""
-    rig = rig.model_copy(update={"robot": rig.robot.model_copy(update={"ports": EPHEMERAL})})
     referee = Referee(rig)
-    result = run(Request(rig, b"", seed, part, policy), referee.watch)
+    result = run(Request(rig.on_free_ports(), b"", seed, part, policy), referee.watch)
     outcome = result.outcome
     return Row(
         seed,

@@ -13,6 +13,7 @@ from hil.recording.summary import Summary, timeline
 
 if TYPE_CHECKING:
     from hil.bench.run import Measured
+    from hil.cell.clock import Lateness
     from hil.cli.checks import Finding
     from hil.experiments.insertion import Row as Insertion
     from hil.experiments.insertion import Summary as InsertionSummary
@@ -82,12 +83,21 @@ def of_rows(rows: "Sequence[Row]", *, json: bool) -> str:
 
 def of_bench(measured: "Sequence[Measured]") -> str:
     """Real-time factor of each case, and where a period's CPU time goes."""
-    table = _table("case", "x real time", "periods", "memory / MB", "CPU of a period / us")
+    table = _table("case", "x real time", "periods", "CPU of a period / us")
     for entry in measured:
-        parts = ", ".join(f"{name} {spent:.0f}" for name, spent in entry.parts.items())
-        speed, memory = f"{entry.real_time_factor:.1f}", f"{entry.memory_mb:.0f}"
-        table.add_row(entry.case.name, speed, str(entry.periods), memory, parts or "-")
+        spent = ", ".join(f"{name} {us:.0f}" for name, us in entry.parts.items())
+        late = "" if entry.lateness is None else of_lateness(entry.lateness)
+        speed = f"{entry.real_time_factor:.1f}"
+        table.add_row(entry.case.name, speed, str(entry.periods), spent or late)
     return _text(table)
+
+
+def of_lateness(late: "Lateness") -> str:
+    """How a paced run kept time, in one line."""
+    return (
+        f"late p50 {late.p50 / 1e6:.2f} ms, p99 {late.p99 / 1e6:.2f} ms, "
+        f"max {late.max / 1e6:.2f} ms, {late.missed} of {late.periods} periods missed"
+    )
 
 
 def of_insertions(runs: "Sequence[Insertion]", summary: "InsertionSummary", *, json: bool) -> str:

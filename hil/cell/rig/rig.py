@@ -12,7 +12,7 @@ from pydantic_core import ErrorDetails
 from hil.cell.errors import RigError
 from hil.cell.rig.parts import Cable, Connector, Fixture, Pad, Physics, Tool
 from hil.cell.rig.randomisation import Axis, Randomisation
-from hil.cell.rig.robot import Robot
+from hil.cell.rig.robot import FREE_PORTS, Robot
 from hil.cell.rig.section import Section
 from hil.cell.rig.sensor import CanBus, Sensor
 from hil.cell.rig.task import Latency, Limits, Task
@@ -37,6 +37,11 @@ class Rig(Section):
     limits: Limits = Limits()
     task: Task = Task()
     randomisation: Randomisation = Randomisation()
+
+    def on_free_ports(self) -> "Rig":
+        """The rig with every port 0: cells beside each other never meet."""
+        robot = self.robot.model_copy(update={"ports": FREE_PORTS})
+        return self.model_copy(update={"robot": robot})
 
     @property
     def first_part(self) -> str:

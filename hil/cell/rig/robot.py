@@ -31,6 +31,9 @@ class Ports(Section):
     rtde: int = Field(default=30004, ge=0, le=65535)
 
 
+FREE_PORTS = Ports(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
+
+
 class Servo(Section):
     """How the arm follows set-points: a critically damped second-order lag, as measured in
     contact-free tracking (22 Hz gives a ramp lag of 14.5 ms).
