@@ -1,13 +1,13 @@
 """In-memory arm, sensor and gripper around one small world; time moves when the arm is told so."""
 
-from math import cos, exp, pi, sin
+from math import cos, exp, isfinite, pi, sin
 
 import pytest
 
 from controller.frames import TaskFrame
 from controller.loop import Loop
 from controller.place import Place
-from drivers.errors import NotReadyError
+from drivers.errors import NotReadyError, StaleSampleError
 from drivers.interfaces import (
     ArmState,
     Freshness,
@@ -19,8 +19,10 @@ from drivers.interfaces import (
 )
 
 MS = 1_000_000
-FRAME = TaskFrame((0.45, -0.1, 0.05), 0.3)
+TURN = 0.3
+FRAME = TaskFrame((0.45, -0.1, 0.05), TURN)
 OMEGA = 2 * pi * 22.0
+MAX_AGE = 10 * MS
 
 
 class SpringWorld:
@@ -123,6 +125,8 @@ class FakeArm:
         return self._state()
 
     def servo(self, pose: Vector6) -> Vector6:
+        if not all(map(isfinite, pose)):
+            raise ValueError(f"a set-point is six finite numbers, found {pose}")
         self._target = FRAME.from_base(pose)
         self.sent.append(self._target)
         self._advance()
@@ -154,13 +158,18 @@ class FakeArm:
             zero,
             pose,
             FRAME.to_base(self._target),
-            (*self.world.velocity[:3], 0.0, 0.0, self.world.velocity[3]),
+            self._twist(),
             RobotMode.RUNNING,
             SafetyMode.NORMAL,
             True,
             int(self.world.holding),
             self.outputs,
         )
+
+    def _twist(self):
+        vx, vy, vz, turn = self.world.velocity
+        c, s = cos(TURN), sin(TURN)
+        return (c * vx - s * vy, s * vx + c * vy, vz, 0.0, 0.0, turn)
 
 
 class FakeSensor:
@@ -172,7 +181,9 @@ class FakeSensor:
         self.faults = {}
         self.reads = 0
         self.tares = 0
-        self._last = (0.0,) * 6
+        self._last = None
+        self._last_t = 0
+        self._zero = (0.0,) * 6
         self._counter = 0
         self._tare_left = 0
 
@@ -190,6 +201,8 @@ class FakeSensor:
         return self.arm.t >= self.boot
 
     def poll(self, t: int) -> None:
+        if self._tare_left == 1 and self.arm.wrenches:
+            self._zero = self.arm.wrenches[-1]
         self._tare_left = max(0, self._tare_left - 1)
 
     def read(self, t: int) -> WrenchReading:
@@ -197,14 +210,20 @@ class FakeSensor:
         self.reads += 1
         if self.reads in self.faults:
             raise self.faults[self.reads]
-        samples, self.arm.wrenches = tuple(self.arm.wrenches), []
+        samples, self.arm.wrenches = tuple(map(self._zeroed, self.arm.wrenches)), []
         self._counter += len(samples)
         if samples:
-            self._last = samples[-1]
-        elif not self._counter:
+            self._last, self._last_t = samples[-1], t
+        elif self._last is None:
             raise NotReadyError("no sample yet")
+        age = t - self._last_t
+        if age > MAX_AGE:
+            raise StaleSampleError(f"the last sample is {age} ns old")
         freshness = Freshness.OK if samples else Freshness.HELD
-        return WrenchReading(self._last, samples, self._counter, 0, freshness, True)
+        return WrenchReading(self._last, samples, self._counter, age, freshness, self.tares > 0)
+
+    def _zeroed(self, wrench):
+        return tuple(a - b for a, b in zip(wrench, self._zero, strict=True))
 
     def begin_tare(self, samples: int) -> None:
         self.tares += 1
