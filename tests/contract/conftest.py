@@ -171,7 +171,7 @@ def cell(request, fakes):
 
 
 class GripperUnderTest:
-    """subject: a connected arm. gripper: its jaws, open, around a waiting part or around nothing."""
+    """subject: a connected arm. gripper: its open jaws, around a waiting part or nothing."""
 
     def __init__(self, arm, gripper):
         self.subject = ArmUnderTest(arm)

@@ -1,4 +1,4 @@
-"""What a controller may rely on with any arm: the docstrings of `drivers.interfaces.Arm`."""
+"""What a controller may rely on with any arm: `drivers.interfaces.Arm`."""
 
 from itertools import pairwise, product
 from math import dist, inf, nan

@@ -1,4 +1,4 @@
-"""What a controller may rely on with any gripper: the docstrings of `drivers.interfaces.Gripper`."""
+"""What a controller may rely on with any gripper: `drivers.interfaces.Gripper`."""
 
 
 def test_jaws_that_close_on_a_part_come_to_hold_it(grippers):
