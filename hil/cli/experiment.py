@@ -1,5 +1,6 @@
 """`hil experiment`: the campaigns behind the numbers in the documentation."""
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -30,16 +31,30 @@ def plant(*, rig: RigOption = DEFAULT_RIG, seed: Seed = None, json: Json = False
     return 0 if all(row.passed for row in rows) else FAILED
 
 
-def noise(*, rig: RigOption = DEFAULT_RIG, seed: Seed = None, json: Json = False) -> int:
-    """The emulated sensor's noise against its budget; exit status 1 when a row fails."""
+def noise(
+    *,
+    rig: RigOption = DEFAULT_RIG,
+    seed: Seed = None,
+    figure: Annotated[
+        Path | None, typer.Option(help="Also draw spectrum, Allan deviation and delays: a PNG.")
+    ] = None,
+    json: Json = False,
+) -> int:
+    """The emulated sensor's noise and delay against the rig; exit status 1 when a row fails."""
     from hil.cli.shipped import read  # noqa: PLC0415
-    from hil.experiments.noise import run  # noqa: PLC0415
+    from hil.experiments.noise import rows  # noqa: PLC0415
+    from hil.experiments.noise_report import measure  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
     found, _ = read(rig)
-    rows = run(found, found.seed if seed is None else seed)
-    typer.echo(tables.of_rows(rows, json=json), nl=False)
-    return 0 if all(row.passed for row in rows) else FAILED
+    report = measure(found, found.seed if seed is None else seed)
+    shown = rows(report)
+    typer.echo(tables.of_rows(shown, json=json), nl=False)
+    if figure is not None:
+        from hil.experiments.noise_figure import figure as draw  # noqa: PLC0415
+
+        draw(report, figure)
+    return 0 if all(row.passed for row in shown) else FAILED
 
 
 def insertion(

@@ -23,7 +23,7 @@ def at_least(target: str, what: str, measured: float, bound: float, unit: str) -
 
 def within(target: str, what: str, measured: float, ideal: float, tolerance: float) -> Row:
     """`measured` against `ideal`, both in SI; tolerance as a fraction of the ideal."""
-    allowed = f"{ideal:.4g} within {tolerance:.3g}"
+    allowed = f"{ideal:.4g} within {100 * tolerance:.3g} %"
     return Row(target, what, f"{measured:.4g}", allowed, abs(measured - ideal) <= tolerance * ideal)
 
 
