@@ -54,6 +54,7 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
         node=rig.sensor.node,
         fd=rig.sensor.frames == "fd",
         max_age_ns=round(rig.limits.sample_age * NS),
+        period_ns=round(NS / rig.sensor.rate),
     )
     jaws = rig.robot.jaws
     return NearSide(arm, sensor, DigitalGripper(arm, jaws.output, jaws.sensed))
