@@ -6,38 +6,25 @@ sensor's frame. Time is the arm controller's own clock in integer nanoseconds, c
 `ArmState`; no driver reads the host's clock to judge age.
 """
 
-from enum import Enum, IntEnum
+from enum import Enum
 from typing import NamedTuple, Protocol, TypeAlias
 
+from drivers.protocol.rtde_states import RobotMode, SafetyMode
+
+__all__ = [
+    "Arm",
+    "ArmState",
+    "ForceTorqueSensor",
+    "Freshness",
+    "Gripper",
+    "RobotMode",
+    "SafetyMode",
+    "SensorHealth",
+    "Vector6",
+    "WrenchReading",
+]
+
 Vector6: TypeAlias = tuple[float, float, float, float, float, float]
-
-
-class RobotMode(IntEnum):
-    """Robot modes as RTDE numbers them (RTDE guide, `robot_mode`)."""
-
-    NO_CONTROLLER = -1
-    DISCONNECTED = 0
-    CONFIRM_SAFETY = 1
-    BOOTING = 2
-    POWER_OFF = 3
-    POWER_ON = 4
-    IDLE = 5
-    BACKDRIVE = 6
-    RUNNING = 7
-
-
-class SafetyMode(IntEnum):
-    """Safety modes as RTDE numbers them (RTDE guide, `safety_mode`)."""
-
-    NORMAL = 1
-    REDUCED = 2
-    PROTECTIVE_STOP = 3
-    RECOVERY = 4
-    SAFEGUARD_STOP = 5
-    SYSTEM_EMERGENCY_STOP = 6
-    ROBOT_EMERGENCY_STOP = 7
-    VIOLATION = 8
-    FAULT = 9
 
 
 class ArmState(NamedTuple):

@@ -9,9 +9,10 @@ from typing import Final, TypeAlias
 
 from drivers.errors import RobotStateError
 from drivers.interfaces import RobotMode, SafetyMode
+from drivers.protocol.rtde_states import RuntimeState
 from drivers.ur.dashboard import Dashboard
 from drivers.ur.program import SEQUENCE_MASK, Command
-from drivers.ur.sample import RuntimeState, Sample, fault
+from drivers.ur.sample import Sample, fault
 
 NS: Final = 1_000_000_000
 POWER_UP: Final = 60 * NS  # a cold CB3 takes some 20 s to boot its joints

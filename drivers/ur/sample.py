@@ -5,6 +5,7 @@ from typing import Final, NamedTuple
 
 from drivers.errors import ProtectiveStopError, RobotStateError
 from drivers.interfaces import ArmState, RobotMode, SafetyMode, Vector6
+from drivers.protocol.rtde_states import RuntimeState
 from drivers.ur.program import ProgramState
 
 OUTPUTS: Final = (
@@ -29,17 +30,6 @@ INPUTS: Final = (
     "standard_digital_output_mask",
     "standard_digital_output",
 )
-
-
-class RuntimeState(IntEnum):
-    """Program execution as RTDE numbers it (RTDE guide, `runtime_state`)."""
-
-    STOPPING = 0
-    STOPPED = 1
-    PLAYING = 2
-    PAUSING = 3
-    PAUSED = 4
-    RESUMING = 5
 
 
 class Sample(NamedTuple):

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from drivers.protocol.rtde_states import RobotMode
 from hil.cell.arm.controller import ArmController, ArmTarget
 from hil.cell.arm.modes import Event
-from hil.cell.arm.states import RobotMode
 from hil.cell.rig.robot import Robot
 
 ZERO6 = (0.0,) * 6

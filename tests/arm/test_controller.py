@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from drivers.protocol.rtde_states import RuntimeState, SafetyMode
 from hil.cell.arm.modes import Event
 from hil.cell.arm.pose import Pose
-from hil.cell.arm.states import RuntimeState, SafetyMode
 from hil.cell.errors import PlantError
 
 SERVO = """def follow():

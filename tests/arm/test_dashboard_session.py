@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from drivers.protocol.errors import WireError
+from drivers.protocol.rtde_states import RobotMode
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.dashboard_session import MAX_LINE, DashboardSession
-from hil.cell.arm.states import RobotMode
 from hil.cell.rig.robot import Robot
 
 

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from drivers.protocol.rtde_states import RobotMode, RuntimeState, SafetyMode
 from hil.cell.arm.modes import (
     BOOT_TIME,
     BRAKE_TIME,
@@ -14,7 +15,6 @@ from hil.cell.arm.modes import (
     Event,
     Modes,
 )
-from hil.cell.arm.states import RobotMode, RuntimeState, SafetyMode
 
 
 @pytest.fixture

@@ -5,9 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drivers.protocol.errors import WireError
+from drivers.protocol.rtde_states import RobotMode
 from hil.cell.arm.modes import Event
 from hil.cell.arm.script_session import MAX_UNIT, ScriptSession, UnitCutter, version_message
-from hil.cell.arm.states import RobotMode
 
 PROGRAM = """def motion():
   # if this were code, an end would be missing

@@ -8,9 +8,9 @@ import pytest
 
 from drivers.protocol.rtde import Cutter, PackageType, encode
 from drivers.protocol.rtde_setup import encode_names, encode_protocol_version
+from drivers.protocol.rtde_states import RobotMode
 from hil.cell.arm.connection import MAX_BACKLOG
 from hil.cell.arm.server import DOORS, UrServer
-from hil.cell.arm.states import RobotMode
 from hil.cell.errors import DoorError
 from hil.cell.rig import LatencyLaw
 from hil.cell.rig.robot import Ports

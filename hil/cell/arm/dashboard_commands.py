@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple, TypeAlias
 
+from drivers.protocol.rtde_states import RuntimeState
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.modes import Event
-from hil.cell.arm.states import RuntimeState
 
 Reply: TypeAlias = Callable[[ArmController, str], str]
 

@@ -9,7 +9,7 @@ from enum import Enum, auto
 from types import MappingProxyType
 from typing import Final
 
-from hil.cell.arm.states import SAFETY_BITS, JointMode, RobotMode, RuntimeState, SafetyMode
+from drivers.protocol.rtde_states import SAFETY_BITS, JointMode, RobotMode, RuntimeState, SafetyMode
 
 MS: Final = 1_000_000
 

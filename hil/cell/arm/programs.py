@@ -3,10 +3,10 @@
 import re
 from typing import Final
 
+from drivers.protocol.rtde_states import RuntimeState
 from hil.cell.arm.box import ControlBox
 from hil.cell.arm.modes import Event
 from hil.cell.arm.port import RobotPort
-from hil.cell.arm.states import RuntimeState
 from hil.cell.arm.urscript import Program, Runtime, RuntimeStatus, ScriptError, compile_program
 
 _SECONDARY: Final = re.compile(r"\A\s*sec\b")

@@ -1,4 +1,4 @@
-"""The controller's states, numbered as RTDE sends them (RTDE guide, "Robot Controller Outputs")."""
+"""A controller's states, numbered as RTDE sends them (RTDE guide, "Robot Controller Outputs")."""
 
 from enum import IntEnum
 
