@@ -1,4 +1,9 @@
-"""The far side's one tick: arm, plant, sensor, in the order in which a sample travels.
+"""One control period of the cell: the way of a wrench sample from contact to the wire.
+
+`tick`: the arm decides on the inputs that RTDE brought; physics moves, and true wrenches at 1 kHz
+come into being; the sensor node turns them into CAN frames, which start to travel; the arm feels
+where it is. Then `serve` sends the frames that have arrived (`take_from_bus`) and after them the
+arm's RTDE package; the host's answer, over RTDE, releases the next tick.
 
 The loop between contact and motion is cut at one place: the arm of this period knows the plant of
 the last one, as in the real cell.
