@@ -26,8 +26,8 @@ SEATED = 0.1e-3
 class Row:
     """One run. seated: whether the part truly was at goal depth in the slot when released.
 
-    over: control periods from the first whose true lateral mean force passed the bound to the stop
-    command, 0 when none did.
+    over: control periods that the force bound was passed for, up to and with the one in which the
+    guard sent the stop, judged by the true lateral means; 0 when it sent none.
     """
 
     seed: int
@@ -69,7 +69,7 @@ class Referee:
             self._first_over = t
 
     def over(self) -> int:
-        """Periods over the bound, up to the one in which the guard stopped."""
+        """Consecutive periods over the bound at the last watched one."""
         if self._first_over is None:
             return 0
         return (self._last - self._first_over) // self._period + 1
@@ -88,7 +88,7 @@ def one(rig: Rig, seed: int, part: str, policy: str) -> Row:
         result.bench,
         result.real_time_factor,
         referee.seated and outcome.kind is Kind.INSERTED,
-        referee.over() if outcome.kind is Kind.DANGER else 0,
+        referee.over() + 1 if outcome.kind is Kind.DANGER else 0,
     )
 
 

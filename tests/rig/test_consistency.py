@@ -61,3 +61,8 @@ def test_positions_may_be_negative_and_errors_may_be_switched_off():
 def test_the_first_part_is_what_a_run_takes():
     assert parse(f"name: x\nfixture: {{parts: [{{{PART}}}]}}").first_part == "FFC1"
     assert parse("name: x").first_part == ""
+
+
+def test_a_software_version_of_another_series_is_refused():
+    with pytest.raises(RigError, match=r"robot: version 3\.15\.8\.106339 .* e-series"):
+        parse("name: a\nrobot: {series: e-series}")

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from hil.cell.rig.quantity import (
     Angle,
@@ -30,6 +30,9 @@ class Ports(Section):
     realtime: int = Field(default=30003, ge=0, le=65535)
     rtde: int = Field(default=30004, ge=0, le=65535)
 
+
+FIRST_E_SERIES = 5
+"""First major software version of the e-Series."""
 
 FREE_PORTS = Ports(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
 
@@ -84,6 +87,16 @@ class Robot(Section):
     servo: Servo = Servo()
     safety: Safety = Safety()
     jaws: Jaws = Jaws()
+
+    @model_validator(mode="after")
+    def _version_of_series(self) -> "Robot":
+        """CB3 runs software 3.x, the e-Series 5.x and later."""
+        if (self.series == "cb3") != (int(self.version.partition(".")[0]) < FIRST_E_SERIES):
+            raise ValueError(
+                f"version {self.version} does not run on series {self.series}; "
+                "cb3 has 3.x (3.15.8.106339), e-series 5.x and later (5.11.0.108249)"
+            )
+        return self
 
     @property
     def rate(self) -> int:
