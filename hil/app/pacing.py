@@ -9,9 +9,8 @@ from hil.cell.serve import Observer, ServedCell, Stopped
 def pace(cell: ServedCell, clock: str, stopped: Stopped, observe: Observer) -> CellReport:
     """Serve until stopped; clock is `lockstep` or `wall`."""
     if clock == "wall":
-        parse(
-            "sync()\n"
-        )  # builds the grammar's tables, 0.15 s: twenty periods, were it in the loop
+        # Builds the grammar's tables, 0.15 s: twenty missed periods, were it in the loop.
+        parse("sync()\n")
     schedule = Schedule(cell.bench.period) if clock == "wall" else None
     if schedule is None:
         cell.lockstep(stopped, observe)
