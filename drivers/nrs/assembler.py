@@ -14,6 +14,7 @@ WINDOW: Final = 2
 """Samples that may be half complete at once; an older half has lost its partner."""
 HALF_LIFE: Final = 20_000_000
 """Longest wait of a half for its partner, ns: a partner later than that may be a wrap later."""
+_PAYLOAD: Final = 8
 OUTAGE: Final = 100_000_000
 """Silence after which an 8-bit counter (256 ms) may have wrapped, ns."""
 
@@ -66,24 +67,30 @@ class Assembler:
 
     def accept(self, frame: CanFrame, t: int) -> NumberedSample | None:
         """The sample that this data frame completes at arm time t, if it does."""
-        if frame.fd != self._fd:
-            self._reject(f"frame {frame.id:#x} is {'' if frame.fd else 'not '}CAN FD")
-            return None
-        self._synchronised = self._synchronised and t - self._last_t <= OUTAGE
+        identifier, octets, fd = frame
+        if self._synchronised and t - self._last_t > OUTAGE:
+            self._synchronised = False
         try:
-            sample = self._complete(frame, t)
+            if fd or self._fd or len(octets) != _PAYLOAD:
+                sample: Sample | None = self._other(frame)
+            else:
+                sample = self._join(identifier == self._ids.force, octets, t)
         except ProtocolError as error:
             self._reject(str(error))
             return None
         return None if sample is None else self._number(sample, t)
 
-    def _complete(self, frame: CanFrame, t: int) -> Sample | None:
-        if self._fd:
-            return decode_fd(self._ids, frame.data)
-        octets = frame.data
-        if len(octets) != 8:
-            raise ProtocolError(f"frame {frame.id:#x} has {len(octets)} bytes instead of 8")
-        counter, is_force = octets[7], frame.id == self._ids.force
+    def _other(self, frame: CanFrame) -> Sample:
+        """The sample in a CAN FD frame; ProtocolError for what is not meant to be here."""
+        if frame.fd != self._fd:
+            raise ProtocolError(f"frame {frame.id:#x} is {'' if frame.fd else 'not '}CAN FD")
+        if not frame.fd:
+            raise ProtocolError(f"frame {frame.id:#x} has {len(frame.data)} bytes instead of 8")
+        return decode_fd(self._ids, frame.data)
+
+    def _join(self, is_force: bool, octets: bytes, t: int) -> Sample | None:
+        """The sample whose other half has been waiting; None while a half waits."""
+        counter = octets[7]
         half = self._halves.pop(counter, None)
         if half is None or t - half[2] > HALF_LIFE:
             self.torn += half is not None
