@@ -1,7 +1,7 @@
 """The only place in the cell that reads a clock: the wall-paced schedule and its lateness."""
 
 from collections.abc import Callable
-from time import monotonic_ns
+from time import monotonic_ns, sleep
 from typing import NamedTuple
 
 BIN = 10_000
@@ -33,6 +33,10 @@ class Schedule:
     def remaining(self) -> int:
         """Nanoseconds until the next period is due; 0 or less when it is."""
         return self._due() - self._now()
+
+    def nap(self, duration: int) -> None:
+        """Sleep for so many ns."""
+        sleep(duration * 1e-9)
 
     def begin(self) -> None:
         """Note that the next period begins now."""

@@ -15,6 +15,12 @@ WAKE = 0.05
 """How long, in wall seconds, a wait for commands lasts before the stop flag is looked at."""
 
 
+COARSE = 2_000_000
+"""Shortest wait, ns, that is left to epoll, whose time-outs are whole milliseconds, rounded up."""
+NAP = 200_000
+"""Longest sleep between two looks at the doors in a shorter wait, ns."""
+
+
 class Doors(NamedTuple):
     """Where the cell can be reached."""
 
@@ -94,7 +100,11 @@ class ServedCell:
             self.server.flush(now)
             due = self.server.next_due
             pause = remaining if due is None else min(remaining, max(0, due - now))
-            self.server.poll(now, min(pause * 1e-9, WAKE))
+            if pause >= COARSE:
+                self.server.poll(now, min((pause - COARSE // 2) * 1e-9, WAKE))
+            else:
+                self.server.poll(now, 0.0)
+                schedule.nap(min(pause, NAP))
         self.server.take_commands()
 
     def _tick(self) -> None:
