@@ -18,6 +18,15 @@ from hil.cli.options import (
     Seed,
 )
 
+LayoutOption: TypeAlias = Annotated[
+    Layout, typer.Option(help="The cell in this process or in one of its own.")
+]
+PartOption: TypeAlias = Annotated[
+    str | None, typer.Option(help="Which part; the first unless given.")
+]
+RigPorts: TypeAlias = Annotated[
+    bool, typer.Option("--rig-ports", help="Serve on the rig's ports, not on free ones.")
+]
 UpClock: TypeAlias = Annotated[Clock, typer.Option(help="What paces the cell.")]
 
 
@@ -37,15 +46,11 @@ def run(
     rig: RigName,
     seed: Seed = None,
     out: Out = Path("out/run"),
-    cell: Annotated[
-        Layout, typer.Option(help="The cell in this process or in one of its own.")
-    ] = Layout.INLINE,
+    cell: LayoutOption = Layout.INLINE,
     clock: ClockOption = None,
     policy: PolicyOption = PolicyName.POSE,
-    part: Annotated[str | None, typer.Option(help="Which part; the first unless given.")] = None,
-    rig_ports: Annotated[
-        bool, typer.Option("--rig-ports", help="Serve on the rig's ports, not on free ones.")
-    ] = False,
+    part: PartOption = None,
+    rig_ports: RigPorts = False,
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> int:
