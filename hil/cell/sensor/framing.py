@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from drivers.protocol import nrs_can
 from drivers.protocol.frame import CanFrame
-from drivers.protocol.nrs_sample import encode_fd
+from drivers.protocol.nrs_sample import encode_fd, encode_pair
 from hil.cell.errors import RigError
 from hil.cell.rig.sensor import Sensor
 from hil.cell.sensor.transducer import DAMAGED, SATURATED
@@ -16,9 +16,6 @@ from hil.cell.sensor.transducer import DAMAGED, SATURATED
 IntArray = NDArray[np.int64]
 Timed: TypeAlias = tuple[int, CanFrame]
 
-FIELD: Final = 2 * nrs_can.COUNT_LIMIT - 1
-"""Bits of one axis in a classic payload."""
-PLACES: Final = np.array([0, 17, 34, 0, 17, 34])
 TORQUE_DELAY: Final = 120_000
 """TORQUE leaves after FORCE's 111 to 135 bits at 1 Mbit/s, ns."""
 
@@ -94,16 +91,12 @@ class Framing:
     def _encode_pairs(
         self, times: list[int], wire: IntArray, flags: list[int], first: int
     ) -> list[Timed]:
-        """What `nrs_sample.encode_pair` gives for each sample, all payloads packed at once."""
-        tails = [flag << 51 | (first + i & 0xFF) << 56 for i, flag in enumerate(flags)]
-        fields = (wire & FIELD) << PLACES  # (n, 6)
-        halves = np.bitwise_or.reduce(fields.reshape(-1, 2, 3), axis=2).astype(np.uint64)
-        payload = (halves | np.array(tails, np.uint64)[:, np.newaxis]).astype("<u8").tobytes()
-        force, torque = self._ids.force, self._ids.torque
         frames: list[Timed] = []
-        for at, t in zip(range(0, len(payload), 16), times, strict=True):
-            frames.append((t, CanFrame(force, payload[at : at + 8])))
-            frames.append((t + TORQUE_DELAY, CanFrame(torque, payload[at + 8 : at + 16])))
+        numbered = enumerate(zip(times, wire.tolist(), flags, strict=True), first)
+        for counter, (t, counts, flag) in numbered:
+            force, torque = encode_pair(self._ids, counts, flag, counter)
+            frames.append((t, force))
+            frames.append((t + TORQUE_DELAY, torque))
         return frames
 
     def _encode_fd(
