@@ -32,19 +32,19 @@ class Gateway:
 
     def send(self, frames: list[CanFrame]) -> None:
         """Put frames on the bus in order; raises DoorError."""
-        send = self._bus.send
+        messages = [
+            can.Message(
+                arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
+            )
+            for id, data, fd in frames
+        ]
+        self._sent.update([frame.id for frame in frames])
         try:
-            for id, data, fd in frames:
-                send(
-                    can.Message(
-                        arbitration_id=id,
-                        data=data,
-                        is_extended_id=False,
-                        is_fd=fd,
-                        bitrate_switch=fd,
-                    )
-                )
-                self._sent.add(id)
+            if isinstance(self._bus, SharedVirtualBus):
+                self._bus.send_all(messages)
+            else:
+                for message in messages:
+                    self._bus.send(message)
         except (can.CanError, OSError) as error:
             raise DoorError(f"{self.describe()}: cannot send: {error}") from error
 
