@@ -98,6 +98,8 @@ def run(request: Request, watch: Watch) -> Result:
         cell = stack.enter_context(open_cell(request))
         frame, period = task_frame(request.rig), request.rig.robot.period
         record = RunRecord(recorder, cell, frame, period) if recorder else None
+        if record is not None:
+            stack.callback(record.flush)
         near = drivers(request.rig, cell.doors, record.rtde if record else None)
         stack.callback(near.sensor.close)
         stack.callback(near.arm.close)
