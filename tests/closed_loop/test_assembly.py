@@ -1,8 +1,11 @@
+from multiprocessing import active_children
+
 from controller.job import assembly
 from controller.loop import Loop
 from controller.outcome import Kind
 from controller.start import bring_up
-from hil.app.near import limits, plan, task_frame
+from hil.app.near import drivers, limits, plan, task_frame
+from hil.app.process import CellProcess
 from hil_fixtures.testbed import open_testbed
 from learner.scripted import pose_script
 
@@ -41,14 +44,22 @@ def test_the_contact_force_settles_at_five_newtons_without_overshoot(perform):
     assert max(pushes) < 5.25
 
 
-def test_a_cell_that_vanishes_ends_the_run_with_the_link_named(perform):
-    def pull_the_cable(cycle, course, cell):
-        if course.name == "contact":
-            cell.served.server.close()
+def test_a_cell_that_vanishes_ends_the_run_with_the_link_named(rig):
+    def stay_while_the_cell_dies(course):
+        for child in active_children():
+            child.kill()
+        while True:
+            yield from course.to(course.setpoint)
 
-    result = perform(watch=pull_the_cable)
-    assert result.outcome.kind is Kind.FAULT
-    assert "LinkError" in result.outcome.reason
+    with CellProcess(rig, 1, "lockstep", record=False) as cell:
+        near = drivers(rig, cell.doors)
+        bring_up(near.arm, near.sensor)
+        loop = Loop(near.arm, near.sensor, task_frame(rig))
+        outcome = loop.run(stay_while_the_cell_dies, limits(rig))
+        near.arm.close()
+        near.sensor.close()
+    assert outcome.kind is Kind.FAULT
+    assert "LinkError" in outcome.reason
 
 
 def test_a_part_that_is_not_there_ends_the_job_without_a_search(rig):
