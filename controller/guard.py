@@ -28,7 +28,7 @@ class Limits:
     sample_age: int = 10_000_000
 
     def relaxed(self, factor: float = 3.0) -> "Limits":
-        """The same with wider force bounds: for leaving a contact, never for making one."""
+        """The same with wider force bounds: for leaving a contact, or where force is no verdict."""
         fx, fy, fz, tau_z = (bound * factor for bound in self.force_bound)
         return replace(self, force_bound=(fx, fy, fz, tau_z))
 

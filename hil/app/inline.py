@@ -6,7 +6,7 @@ from typing import Self
 
 from hil.app.cell import CellReport
 from hil.app.pacing import pace
-from hil.app.tap import Entry, entries
+from hil.app.tap import Entry, entries, ignore
 from hil.cell.plant.interface import PlantStep
 from hil.cell.rig import Rig
 from hil.cell.serve import Doors, ServedCell, Tick
@@ -48,16 +48,13 @@ class InlineCell:
 
     def stop(self) -> CellReport:
         """Stop and close every door; raises what the cell died of, if it did."""
-        self._stopped.set()
-        if self._thread.ident is not None:
-            self._thread.join()
-        self.served.close()
+        self._halt()
         if self._failure is not None:
             raise self._failure
         return self._report or CellReport(0, None, ())
 
     def _run(self) -> None:
-        observe = self._ticks.append if self._record else _ignore
+        observe = self._ticks.append if self._record else ignore
         try:
             self._report = pace(self.served, self._clock, self._stopped.is_set, observe)
         except BaseException as error:
@@ -69,11 +66,10 @@ class InlineCell:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self._halt()
+
+    def _halt(self) -> None:
         self._stopped.set()
         if self._thread.ident is not None:
             self._thread.join()
         self.served.close()
-
-
-def _ignore(_: Tick) -> None:
-    """Nothing is recorded."""

@@ -3,6 +3,8 @@
 The same drivers at another address are a real cell's.
 """
 
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from math import pi
 from typing import NamedTuple
 
@@ -58,6 +60,16 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
     )
     jaws = rig.robot.jaws
     return NearSide(arm, sensor, DigitalGripper(arm, jaws.output, jaws.sensed))
+
+
+@contextmanager
+def near_side(rig: Rig, doors: Doors, tap: Tap | None = None) -> Iterator[NearSide]:
+    """The rig's drivers, closed at the end whatever happened to them: the arm first."""
+    near = drivers(rig, doors, tap)
+    with ExitStack() as stack:
+        stack.callback(near.sensor.close)
+        stack.callback(near.arm.close)
+        yield near
 
 
 def task_frame(rig: Rig) -> TaskFrame:

@@ -8,7 +8,7 @@ from multiprocessing.connection import Connection
 from typing import Self
 
 from hil.app.cell import CellReport
-from hil.app.tap import Entry, entries
+from hil.app.tap import Entry, entries, ignore
 from hil.cell.errors import CellError
 from hil.cell.plant.interface import PlantStep
 from hil.cell.rig import Rig
@@ -103,7 +103,7 @@ def _serve(pipe: Connection, rig: Rig, seed: int, clock: str, record: bool) -> N
     try:
         with serve(rig, seed, across_processes=True) as cell:
             pipe.send((cell.doors, cell.describe()))
-            observe = _keeper(kept) if record else _ignore
+            observe = _keeper(kept) if record else ignore
             report = pace(cell, clock, pipe.poll, observe)
         word: object = (report, kept)
     except Exception as error:
@@ -125,7 +125,3 @@ def uninterrupted() -> Iterator[None]:
 
 def _keeper(kept: list[Entry]) -> Callable[[Tick], None]:
     return lambda tick: kept.extend(entries(tick))
-
-
-def _ignore(_: Tick) -> None:
-    """Nothing is recorded."""

@@ -19,7 +19,7 @@ from controller.start import bring_up
 from drivers.interfaces import SensorHealth
 from hil.app.cell import CellReport, RunningCell
 from hil.app.inline import InlineCell
-from hil.app.near import NearSide, drivers, limits, part_named, start_plan, task_frame
+from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
 from hil.app.policy import policy
 from hil.app.process import CellProcess
 from hil.app.record import RunRecord, identity
@@ -100,9 +100,8 @@ def run(request: Request, watch: Watch) -> Result:
         record = RunRecord(recorder, cell, frame, period) if recorder else None
         if record is not None:
             stack.callback(record.flush)
-        near = drivers(request.rig, cell.doors, record.rtde if record else None)
-        stack.callback(near.sensor.close)
-        stack.callback(near.arm.close)
+        tap = record.rtde if record else None
+        near = stack.enter_context(near_side(request.rig, cell.doors, tap))
         chosen = policy(request.policy, plan, request.seed, cell)
         bring_up(near.arm, near.sensor)
         drive = _Drive(near, plan, chosen, record, partial(_watch, watch, cell))

@@ -7,6 +7,10 @@ from hil.recording.channels import can, plant, truth
 Entry = tuple[int, Channel, bytes]
 
 
+def ignore(_: Tick) -> None:
+    """The observer of a cell whose periods nobody records."""
+
+
 def entries(tick: Tick) -> tuple[Entry, Entry, Entry]:
     """What is recorded of one period: bench time, ns, channel, payload."""
     return (

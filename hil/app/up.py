@@ -7,8 +7,9 @@ from types import FrameType
 
 from hil.app.cell import CellReport
 from hil.app.pacing import pace
+from hil.app.tap import ignore
 from hil.cell.rig import Rig
-from hil.cell.serve import Doors, Tick
+from hil.cell.serve import Doors
 
 Announce = Callable[[Doors, str], None]
 """Told once where the cell can be reached, and a line about its bus."""
@@ -20,7 +21,7 @@ def up(rig: Rig, seed: int, clock: str, announce: Announce) -> CellReport:
 
     with _stop_flag() as stopped, serve(rig, seed, across_processes=True) as cell:
         announce(cell.doors, cell.describe())
-        return pace(cell, clock, stopped, _ignore)
+        return pace(cell, clock, stopped, ignore)
 
 
 @contextmanager
@@ -37,7 +38,3 @@ def _stop_flag() -> Iterator[Callable[[], bool]]:
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-
-
-def _ignore(_: Tick) -> None:
-    """Nothing is recorded."""

@@ -19,7 +19,7 @@ from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
 from hil.app.inline import InlineCell
-from hil.app.near import NearSide, drivers, limits, plan, task_frame
+from hil.app.near import NearSide, limits, near_side, plan, task_frame
 from hil.app.record import RunRecord, identity
 from hil.app.undisturbed import undisturbed
 from hil.bench.case import Case
@@ -110,12 +110,11 @@ class _Bench:
             stack.enter_context(undisturbed(wanted=self._case.clock == "lockstep"))
             cell = InlineCell(self._rig, 1, self._rig.clock)
             stack.enter_context(cell)
-            near = drivers(self._rig, cell.doors, None)
-            stack.callback(near.sensor.close)
-            stack.callback(near.arm.close)
-            self._record = RunRecord(recorder, cell, task_frame(self._rig), self._rig.robot.period)
+            record = RunRecord(recorder, cell, task_frame(self._rig), self._rig.robot.period)
+            self._record = record
+            near = stack.enter_context(near_side(self._rig, cell.doors, record.rtde))
             if self._meter is not None:
-                self._instrument(self._meter, cell, near, self._record)
+                self._instrument(self._meter, cell, near, record)
             self._drive(near)
             self.lateness = cell.stop().lateness
 
@@ -138,7 +137,10 @@ class _Bench:
         rig = self._rig
         whole = plan(rig, rig.fixture.parts[0], START)
         loop = Loop(near.arm, near.sensor, task_frame(rig), observe=self._observe)
-        outcome = loop.run(lambda course: self._job(course, whole, near), limits(rig).relaxed())
+        bounds = limits(rig)
+        if self._case.clock == "wall":
+            bounds = bounds.relaxed()  # lateness is measured; a late command's jerk is no verdict
+        outcome = loop.run(lambda course: self._job(course, whole, near), bounds)
         if outcome.kind is not Kind.DONE:
             raise CellError(f"{self._case.name}: {outcome.kind.value}: {outcome.reason}")
 
