@@ -5,12 +5,12 @@ from controller.course import Course, Phase
 from controller.force_axis import ForceAxis
 from controller.outcome import Ending, Kind
 from controller.phases.approach import approach, retract
-from controller.phases.contact import contact
+from controller.phases.contact import Touch, contact
 from controller.phases.insert import Inserted, draw_out, insert
 from controller.phases.pick_up import pick_up, put_down, release
 from controller.phases.search import Found, search, take_step
 from controller.phases.tare import tare
-from controller.settings import Plan
+from controller.settings import Jam, Plan
 from drivers.interfaces import ForceTorqueSensor, Gripper
 
 
@@ -66,19 +66,32 @@ def _find_and_insert(course: Course, plan: Plan, policy: Policy) -> Phase[Ending
         touch = yield from contact(course, axis, plan)
         if touch is None:
             return Ending(Kind.FAULT, "the contact force did not settle on the connector's face")
-        found = Found.SLOT
-        if not touch.in_slot:
-            found = yield from search(course, axis, touch.face, policy, plan)
-        if found is not Found.SLOT:
-            return _limit(course, found)
-        if (yield from insert(course, axis, touch.face, plan.insertion)) is Inserted.GOAL:
-            return Ending(Kind.INSERTED, f"goal depth reached after {course.steps} steps")
+        ending = yield from _search_and_insert(course, axis, touch, plan, policy)
+        if ending is not None:
+            return ending
         # A jammed part stays jammed however often it is pushed: out, one step on, and down again.
         yield from draw_out(course, plan.insertion)
         if course.steps >= plan.search.max_steps:
             return _limit(course, Found.LIMIT)
         if not (yield from take_step(course, None, policy, plan.search)):
             return _limit(course, Found.GIVEN_UP)
+
+
+def _search_and_insert(
+    course: Course, axis: ForceAxis, touch: Touch, plan: Plan, policy: Policy
+) -> Phase[Ending | None]:
+    """From the face to an ending; None for a jammed part that is to be drawn out."""
+    in_slot = touch.in_slot
+    while True:
+        if not in_slot:
+            found = yield from search(course, axis, touch.face, policy, plan)
+            if found is not Found.SLOT:
+                return _limit(course, found)
+        if (yield from insert(course, axis, touch.face, plan.insertion)) is Inserted.GOAL:
+            return Ending(Kind.INSERTED, f"goal depth reached after {course.steps} steps")
+        if plan.insertion.jam is Jam.DRAW_OUT:
+            return None
+        in_slot = False
 
 
 def _limit(course: Course, found: Found) -> Ending:

@@ -1,8 +1,20 @@
 """The numbers of a job, grouped by the phase that uses them; SI units."""
 
 from dataclasses import dataclass, field
+from enum import Enum
 
 from controller.place import Place
+
+
+class Jam(Enum):
+    """What follows when a part is stuck in the slot's mouth.
+
+    DRAW_OUT: lift it out, take the next step in the air, touch again. STEP_ON: take the next step
+    where it is, pressing, as the paper's learner does: quicker, and most of its dangers come so.
+    """
+
+    DRAW_OUT = "draw out"
+    STEP_ON = "step on"
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +90,12 @@ class Insertion:
     stall: float = 0.5
     """Seconds without `progress` (m) that mean stuck."""
     progress: float = 0.05e-3
+    jam: Jam = Jam.DRAW_OUT
+    rest: float = 0.064
+    """Seconds at rest (N, m/s) after which a part that is stepped on counts as stuck: waiting the
+    whole stall would null each step's force before the next one."""
+    force_band: float = 0.4
+    speed_band: float = 0.4e-3
     lift: float = 0.5e-3
     """Height above the face to which a stuck part is drawn out, m."""
     lift_speed: float = 5e-3

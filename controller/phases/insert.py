@@ -3,9 +3,10 @@
 from enum import Enum
 
 from controller.course import Course, Phase
+from controller.cycle import Cycle
 from controller.force_axis import ForceAxis
 from controller.phases.contact import Face
-from controller.settings import Insertion
+from controller.settings import Insertion, Jam
 
 
 class Inserted(Enum):
@@ -19,7 +20,7 @@ def insert(course: Course, axis: ForceAxis, face: Face, insertion: Insertion) ->
     """Press on, give way sideways, until goal depth or no progress."""
     course.name = "insert"
     goal = insertion.goal_depth + insertion.overtravel
-    deepest, since = face.depth(course.cycle), course.cycle.t
+    deepest, since, wedged = face.depth(course.cycle), course.cycle.t, 0.0
     while (course.cycle.t - since) * 1e-9 < insertion.stall:
         dx, dy = yielding(course, insertion)
         cycle = yield from course.to(axis.follow(course).moved(dx, dy))
@@ -28,7 +29,16 @@ def insert(course: Course, axis: ForceAxis, face: Face, insertion: Insertion) ->
             return Inserted.GOAL
         if depth > deepest + insertion.progress:
             deepest, since = depth, cycle.t
+        wedged = wedged + course.period if _at_rest(cycle, axis, face, insertion) else 0.0
+        if insertion.jam is Jam.STEP_ON and wedged >= insertion.rest:
+            return Inserted.STUCK
     return Inserted.STUCK
+
+
+def _at_rest(cycle: Cycle, axis: ForceAxis, face: Face, insertion: Insertion) -> bool:
+    """The full contact force on a tip that does not sink: on its way in either falls or moves."""
+    pressed = abs(cycle.wrench[2] - face.force) < insertion.force_band
+    return pressed and abs(axis.velocity) < insertion.speed_band
 
 
 def draw_out(course: Course, insertion: Insertion) -> Phase[None]:

@@ -13,7 +13,7 @@ import numpy as np
 from controller.frames import TaskFrame
 from controller.guard import Limits
 from controller.place import Place
-from controller.settings import Insertion, Plan, Press, Search, Travel
+from controller.settings import Insertion, Jam, Plan, Press, Search, Travel
 from drivers.nrs.can_sensor import CanSensor
 from drivers.ur.arm import Tap, UrArm, UrPorts
 from drivers.ur.gripper import DigitalGripper
@@ -121,7 +121,7 @@ def plan(rig: Rig, part: Part, cells: tuple[int, int, int]) -> Plan:
         travel=Travel(),
         press=Press(force=task.contact_force),
         search=Search(task.step, task.step_rotation, task.max_steps),
-        insertion=Insertion(goal_depth=task.goal_depth),
+        insertion=Insertion(goal_depth=task.goal_depth, jam=Jam(task.on_jam)),
     )
 
 

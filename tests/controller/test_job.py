@@ -9,7 +9,7 @@ from controller.action import Action
 from controller.guard import Limits
 from controller.outcome import Kind
 from controller.place import Place
-from controller.settings import Plan, Search
+from controller.settings import Jam, Plan, Search
 
 PART = Place(-0.1, -0.05, 0.002, 0.0)
 PLAN = Plan(part=PART, start=Place(0.6e-3, -0.3e-3, 0.005, 0.0))
@@ -104,6 +104,26 @@ def test_a_jammed_part_is_drawn_out_and_tried_beside(make_cell, assemble):
     phases = cell.phases()
     after = phases.index("draw out") + 1
     assert phases[after : after + 2] == ["contact", "search"]
+
+
+def test_a_jammed_part_is_stepped_on_where_it_is_when_the_plan_says_so(assemble):
+    insertion = replace(PLAN.insertion, goal_depth=3.0e-3, jam=Jam.STEP_ON)  # below the floor
+    plan = replace(PLAN, start=Place(0.0, 0.0, 0.005, 0.0), insertion=insertion)
+    cell, outcome = assemble(Walk(Action.PLUS_THETA, Action.MINUS_THETA), plan)
+    assert (outcome.kind, outcome.steps) == (Kind.LIMIT, 2)
+    phases = cell.phases()
+    assert "draw out" not in phases
+    jammed = phases[phases.index("insert") : phases.index("retract")]
+    assert jammed == ["insert", "search"] * 3
+
+
+def test_a_part_at_rest_in_a_jam_is_stepped_on_sooner_than_the_stall(assemble):
+    insertion = replace(PLAN.insertion, goal_depth=3.0e-3, jam=Jam.STEP_ON)
+    plan = replace(PLAN, start=Place(0.0, 0.0, 0.005, 0.0), insertion=insertion)
+    cell, _ = assemble(Walk(Action.PLUS_X), plan)
+    search = [i for i, (_, _, phase) in enumerate(cell.seen) if phase == "search"]
+    last = [1 for _, _, phase in cell.seen[search[0] :] if phase == "insert"]
+    assert len(last) * cell.arm.period * 1e-9 < insertion.stall
 
 
 def test_a_lateral_push_while_inserting_is_nulled(assemble):

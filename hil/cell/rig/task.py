@@ -1,5 +1,7 @@
 """Rig sections of the job and of the limits that the near side's guard enforces."""
 
+from typing import Literal
+
 from pydantic import Field
 
 from hil.cell.rig.latency import LatencyLaw
@@ -32,6 +34,9 @@ class Task(Section):
     """Half widths of the start's uniform draw in x, y, theta, in steps."""
     clearance: Length = 5e-3
     """Height above the face at which the approach begins."""
+    on_jam: Literal["draw out", "step on"] = "draw out"
+    """What follows a part stuck in the slot's mouth: lift it and touch again, or step where it is
+    (the paper's learner)."""
 
 
 class Link(Section):
