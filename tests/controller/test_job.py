@@ -114,7 +114,7 @@ def test_a_jammed_part_is_stepped_on_where_it_is_when_the_plan_says_so(assemble)
     phases = cell.phases()
     assert "draw out" not in phases
     jammed = phases[phases.index("insert") : phases.index("retract")]
-    assert jammed == ["insert", "search"] * 3
+    assert jammed == ["insert", "search", "insert", "search", "insert"]
 
 
 def test_a_part_at_rest_in_a_jam_is_stepped_on_sooner_than_the_stall(assemble):
