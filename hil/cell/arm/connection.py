@@ -16,9 +16,14 @@ RECEIVE: Final = 1 << 16
 
 
 class Session(Protocol):
-    """A sans-IO session of one client."""
+    """A sans-IO session of one client.
+
+    lossy: what it publishes is dropped, newest first, while the client leaves older bytes unread;
+    any other client that does not read is cut off.
+    """
 
     greeting: bytes
+    lossy: bool
 
     @property
     def closing(self) -> bool: ...
@@ -76,6 +81,11 @@ class Connection:
         if package := self.session.publish(step):
             self._last_due = max(self._last_due, t + next(self._delays))
             self._travelling.append((self._last_due, package))
+
+    def stream(self, step: int) -> None:
+        """Queue what a lossy session sends in this control step, if the client keeps up."""
+        if not self._out:
+            self._out = self.session.publish(step)
 
     @property
     def next_due(self) -> int | None:

@@ -7,9 +7,11 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple, TypeAlias
 
+from drivers.protocol.primary_messages import Popup
 from drivers.protocol.rtde_states import RuntimeState
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.modes import Event
+from hil.cell.arm.pendant import DEFAULT_INSTALLATION, ROLES, UNNAMED
 
 Reply: TypeAlias = Callable[[ArmController, str], str]
 
@@ -49,8 +51,10 @@ def _posts(event: Event, text: str) -> Reply:
 
 
 def _play(arm: ArmController, argument: str) -> str:
-    """There are no program files, so only a paused program can be played."""
-    return "Starting program" if arm.box.post(Event.RESUME) else "Failed to execute: play"
+    """Go on with a paused program, or start the loaded one from its beginning."""
+    script = arm.box.pendant.script
+    started = arm.box.post(Event.RESUME) or (script is not None and arm.programs.play(script))
+    return "Starting program" if started else "Failed to execute: play"
 
 
 def _pause(arm: ArmController, argument: str) -> str:
@@ -74,13 +78,78 @@ def _add_to_log(arm: ArmController, argument: str) -> str:
     return "Added log message"
 
 
+def _load(arm: ArmController, path: str) -> str:
+    """Loading ends the loaded program, as it does on the pendant."""
+    if not arm.box.pendant.load(path):
+        return f"File not found: {path}"
+    if arm.programs.on_pendant:
+        arm.programs.stop()
+    return f"Loading program: {path}"
+
+
+def _load_installation(arm: ArmController, path: str) -> str:
+    found = path.rpartition("/")[2] == DEFAULT_INSTALLATION
+    return f"Loading installation: {path}" if found else f"File not found: {path}"
+
+
+def _loaded_program(arm: ArmController, argument: str) -> str:
+    program = arm.box.pendant.program
+    return "No program loaded" if program == UNNAMED else f"Loaded program: /programs/{program}"
+
+
+def _is_saved(arm: ArmController, argument: str) -> str:
+    program = arm.box.pendant.program
+    return f"{str(program != UNNAMED).lower()} {program}"
+
+
+def _state(arm: ArmController) -> RuntimeState:
+    """Of the pendant's own program: URSim says STOPPED while one sent by socket runs."""
+    return arm.box.modes.program if arm.programs.on_pendant else RuntimeState.STOPPED
+
+
 def _running(arm: ArmController, argument: str) -> str:
-    playing = arm.box.modes.program is RuntimeState.PLAYING
-    return f"Program running: {str(playing).lower()}"
+    return f"Program running: {str(_state(arm) is RuntimeState.PLAYING).lower()}"
 
 
 def _program_state(arm: ArmController, argument: str) -> str:
-    return f"{arm.box.modes.program.name} <unnamed>"
+    return f"{_state(arm).name} {arm.box.pendant.program}"
+
+
+def _popup(arm: ArmController, text: str) -> str:
+    arm.box.say(f"popup: {text}")
+    arm.box.announce(Popup("Message", text))
+    return "showing popup"
+
+
+def _set_role(arm: ArmController, role: str) -> str:
+    if role.upper() not in ROLES:
+        return f"Failed setting user role: {role}"
+    arm.box.pendant.role = role.upper()
+    return f"Setting user role: {role}"
+
+
+def _role(arm: ArmController, argument: str) -> str:
+    return arm.box.pendant.role
+
+
+def _set_mode(arm: ArmController, mode: str) -> str:
+    if mode.upper() not in ("MANUAL", "AUTOMATIC"):
+        return f"Failed setting operational mode: '{mode}'"
+    arm.box.pendant.operational_mode = mode.upper()
+    return f"Operational mode {mode.upper()} is set"
+
+
+def _mode(arm: ArmController, argument: str) -> str:
+    return arm.box.pendant.operational_mode
+
+
+def _clear_mode(arm: ArmController, argument: str) -> str:
+    arm.box.pendant.operational_mode = "NONE"
+    return "No longer controlling the operational mode. Current operational mode: 'NONE'."
+
+
+def _in_remote_control(arm: ArmController, argument: str) -> str:
+    return str(arm.box.robot.remote_control).lower()
 
 
 def _version(arm: ArmController, argument: str) -> str:
@@ -107,14 +176,10 @@ def _safety_status(arm: ArmController, argument: str) -> str:
     return f"Safetystatus: {arm.box.modes.safety.name}"
 
 
-def _not_found(arm: ArmController, argument: str) -> str:
-    return f"File not found: {argument}"
-
-
 COMMANDS: Final[Mapping[str, Command]] = MappingProxyType(
     {
-        "load installation": Command(_not_found, (3, 2)),
-        "load": Command(_not_found),
+        "load installation": Command(_load_installation, (3, 2)),
+        "load": Command(_load),
         "play": Command(_play),
         "stop": Command(_stop),
         "pause": Command(_pause),
@@ -122,23 +187,19 @@ COMMANDS: Final[Mapping[str, Command]] = MappingProxyType(
         "shutdown": Command(_posts(Event.POWER_OFF, "Shutting down")),
         "running": Command(_running),
         "robotmode": Command(_robot_mode),
-        "get loaded program": Command(_says("No program loaded")),
-        "popup": Command(_says("showing popup")),
+        "get loaded program": Command(_loaded_program),
+        "popup": Command(_popup),
         "close popup": Command(_says("closing popup")),
         "addtolog": Command(_add_to_log),
-        "isprogramsaved": Command(_says("false <unnamed>")),
+        "isprogramsaved": Command(_is_saved),
         "programstate": Command(_program_state),
         "polyscopeversion": Command(_polyscope_version),
         "version": Command(_version, None),
-        "set operational mode manual": Command(_says("Operational mode MANUAL is set"), None),
-        "set operational mode automatic": Command(_says("Operational mode AUTOMATIC is set"), None),
-        "get operational mode": Command(_says("NONE"), None, (5, 6)),
-        "clear operational mode": Command(
-            _says("No longer controlling the operational mode. Current operational mode: 'NONE'."),
-            None,
-        ),
-        "setuserrole": Command(lambda arm, role: f"Setting user role: {role}", (3, 1), None),
-        "getuserrole": Command(_says("NONE"), (3, 1), None),
+        "set operational mode": Command(_set_mode, None),
+        "get operational mode": Command(_mode, None, (5, 6)),
+        "clear operational mode": Command(_clear_mode, None),
+        "setuserrole": Command(_set_role, (3, 1), None),
+        "getuserrole": Command(_role, (3, 1), None),
         "power on": Command(_posts(Event.POWER_ON, "Powering on"), (3, 0)),
         "power off": Command(_posts(Event.POWER_OFF, "Powering off"), (3, 0)),
         "brake release": Command(_posts(Event.BRAKE_RELEASE, "Brake releasing"), (3, 0)),
@@ -149,7 +210,7 @@ COMMANDS: Final[Mapping[str, Command]] = MappingProxyType(
         "restart safety": Command(
             _posts(Event.RESTART_SAFETY, "Restarting safety"), (3, 7), (5, 1)
         ),
-        "is in remote control": Command(_says("true"), None, (5, 6)),
+        "is in remote control": Command(_in_remote_control, None, (5, 6)),
         "get serial number": Command(_says(SERIAL_NUMBER), (3, 12), (5, 6)),
         "get robot model": Command(_model, (3, 12), (5, 6)),
         "generate flight report": Command(

@@ -13,6 +13,7 @@ MAX_LINE: Final = 4096
 class DashboardSession:
     """closing: the client said `quit`, or the box shuts down, and the reply is the last."""
 
+    lossy = False
     greeting = b"Connected: Universal Robots Dashboard Server\n"
 
     def __init__(self, arm: ArmController) -> None:

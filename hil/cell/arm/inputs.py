@@ -71,10 +71,11 @@ class InputImage:
                 signals.drive(first, _integer(mask), _integer(bits))
         if "standard_analog_output_mask" in values:
             mask = _integer(commands["standard_analog_output_mask"])
+            types = _integer(commands["standard_analog_output_type"])
             for n in (0, 1):
                 if mask >> n & 1:
                     ratio = _number(commands[f"standard_analog_output_{n}"])
-                    signals.analog_outputs[n] = min(max(ratio, 0.0), 1.0) * signals.FULL_SCALE
+                    signals.set_analog(n, ratio, voltage=bool(types >> n & 1))
         if values.get("speed_slider_mask"):
             signals.speed_fraction = min(max(_number(commands["speed_slider_fraction"]), 0.0), 1.0)
 
@@ -83,7 +84,7 @@ def _idle_commands() -> dict[str, object]:
     commands: dict[str, object] = dict.fromkeys(_MASKS, 0)
     commands |= dict.fromkeys((f"{bank}_digital_output" for bank, _ in _BANKS), 0)
     commands |= {"standard_analog_output_0": 0.0, "standard_analog_output_1": 0.0}
-    commands |= {"standard_analog_output_type": 0, "speed_slider_fraction": 1.0}
+    commands |= {"standard_analog_output_type": 0b11, "speed_slider_fraction": 1.0}
     return commands | {"external_force_torque": ZERO6}
 
 

@@ -27,6 +27,8 @@ class Event(Enum):
     BRAKES_OPEN = auto()
     PROTECTIVE_STOP = auto()
     UNLOCK = auto()
+    SAFEGUARD_OPEN = auto()
+    SAFEGUARD_RESET = auto()
     EMERGENCY_STOP = auto()
     EMERGENCY_RESET = auto()
     RESTART_SAFETY = auto()
@@ -59,6 +61,10 @@ SAFETY: Final[Mapping[tuple[SafetyMode, Event], SafetyMode]] = MappingProxyType(
         (S.NORMAL, Event.PROTECTIVE_STOP): S.PROTECTIVE_STOP,
         (S.REDUCED, Event.PROTECTIVE_STOP): S.PROTECTIVE_STOP,
         (S.PROTECTIVE_STOP, Event.UNLOCK): S.NORMAL,
+        (S.NORMAL, Event.SAFEGUARD_OPEN): S.SAFEGUARD_STOP,
+        (S.REDUCED, Event.SAFEGUARD_OPEN): S.SAFEGUARD_STOP,
+        (S.SAFEGUARD_STOP, Event.SAFEGUARD_RESET): S.NORMAL,
+        (S.SAFEGUARD_STOP, Event.EMERGENCY_STOP): S.ROBOT_EMERGENCY_STOP,
         (S.NORMAL, Event.EMERGENCY_STOP): S.ROBOT_EMERGENCY_STOP,
         (S.REDUCED, Event.EMERGENCY_STOP): S.ROBOT_EMERGENCY_STOP,
         (S.PROTECTIVE_STOP, Event.EMERGENCY_STOP): S.ROBOT_EMERGENCY_STOP,
@@ -84,6 +90,7 @@ PROGRAM: Final[Mapping[tuple[RuntimeState, Event], RuntimeState]] = MappingProxy
         (P.PLAYING, Event.START): P.PLAYING,
         (P.PAUSED, Event.START): P.PLAYING,
         (P.PLAYING, Event.PAUSE): P.PAUSED,
+        (P.PLAYING, Event.SAFEGUARD_OPEN): P.PAUSED,
         (P.PAUSED, Event.RESUME): P.PLAYING,
         **{(s, e): P.STOPPED for s in (P.PLAYING, P.PAUSED) for e in _ENDS_PROGRAM},
     }
@@ -97,8 +104,8 @@ class Modes:
     """The three machines, stepped by one stream of events and by bench time."""
 
     __slots__ = (
-        "_brakes_wanted", "_due", "_stopped_at", "joint_modes", "program", "robot", "robot_bits",
-        "safety", "safety_bits",
+        "_brakes_wanted", "_due", "_stopped_at", "_unlock_wanted", "joint_modes", "program",
+        "robot", "robot_bits", "safety", "safety_bits",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -108,6 +115,7 @@ class Modes:
         self._due: tuple[int, Event] | None = None
         self._brakes_wanted = False
         self._stopped_at = 0
+        self._unlock_wanted = False
         self._refresh()
 
     def post(self, event: Event, t: int) -> bool:
@@ -134,6 +142,13 @@ class Modes:
             due, event = self._due
             self._due = None
             self.post(event, due)
+        if self._unlock_wanted and self.unlockable(t):
+            self._unlock_wanted = False
+            self.post(Event.UNLOCK, t)
+
+    def unlock_when_allowed(self) -> None:
+        """Unlock the protective stop, if there is one, as soon as it is old enough."""
+        self._unlock_wanted = self.safety is SafetyMode.PROTECTIVE_STOP
 
     def unlockable(self, t: int) -> bool:
         """Whether a protective stop, if there is one, is old enough to be unlocked."""

@@ -3,25 +3,31 @@
 import re
 from typing import Final
 
+from drivers.protocol.primary_messages import Key, RuntimeException
 from drivers.protocol.rtde_states import RuntimeState
 from hil.cell.arm.box import ControlBox
 from hil.cell.arm.modes import Event
 from hil.cell.arm.port import RobotPort
 from hil.cell.arm.urscript import Program, Runtime, RuntimeStatus, ScriptError, compile_program
 
+_UNKNOWN: Final = re.compile(r"name not found: (\w+)")
 _SECONDARY: Final = re.compile(r"\A\s*sec\b")
 
 
 class Programs:
-    """One primary program, which may move the arm, and secondary ones beside it."""
+    """One primary program, which may move the arm, and secondary ones beside it.
 
-    __slots__ = ("_box", "_port", "_primary", "_secondary")
+    on_pendant: whether the primary one is the program that the pendant loaded, not a client's.
+    """
+
+    __slots__ = ("_box", "_port", "_primary", "_secondary", "on_pendant")
 
     def __init__(self, box: ControlBox, port: RobotPort) -> None:
         self._box = box
         self._port = port
         self._primary: Runtime | None = None
         self._secondary: list[Runtime] = []
+        self.on_pendant = False
 
     def upload(self, text: str) -> None:
         """Compile a unit of URScript and start it in the next cycle; errors go to the log only."""
@@ -30,11 +36,18 @@ class Programs:
             program = compile_program(_SECONDARY.sub("def", text, count=1))
         except ScriptError as error:
             self._box.say(f"program refused: {error}")
+            self._box.announce(_exception(error))
             return
         if secondary:
             self._secondary.append(Runtime(program, self._port))
         else:
             self._start(program)
+
+    def play(self, text: str) -> bool:
+        """Start the pendant's program; false when the robot or the text does not allow it."""
+        self.upload(text)
+        self.on_pendant = self._primary is not None
+        return self.on_pendant
 
     def step(self) -> None:
         """Run every program for one control cycle."""
@@ -65,17 +78,28 @@ class Programs:
             return
         self._primary = Runtime(program, self._port)
         self._box.say(f"program {program.name} started")
+        self._box.announce(Key("PROGRAM_XXX_STARTED", program.name))
 
     def _drop(self) -> None:
         if self._primary is not None:
             self._primary.stop()
+            self._box.announce(Key("PROGRAM_XXX_STOPPED", self._primary.program.name))
             self._primary = None
+            self.on_pendant = False
             self._box.watchdog.clear()
             self._box.say("program stopped")
 
     def _runs_on(self, runtime: Runtime) -> bool:
         """Step one runtime; false once it has ended, whatever the reason."""
         status = runtime.step()
-        if status is RuntimeStatus.FAILED:
+        if status is RuntimeStatus.FAILED and runtime.error is not None:
             self._box.say(f"program error: {runtime.error}")
+            self._box.announce(_exception(runtime.error))
         return status is RuntimeStatus.RUNNING
+
+
+def _exception(error: ScriptError) -> RuntimeException:
+    """The error as clients are told it; the compiler's commonest one in the controller's words."""
+    unknown = _UNKNOWN.match(error.message)
+    text = f"compile_error_name_not_found:{unknown[1]}:" if unknown else error.message
+    return RuntimeException(error.line, error.column, text)

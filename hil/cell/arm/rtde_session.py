@@ -53,6 +53,7 @@ class RtdeSession:
 
     greeting = b""
     closing = False
+    lossy = False
 
     def __init__(self, arm: ArmController, client: int, delays: Iterator[int]) -> None:
         """client: its number in `Ownership`. delays: travel times of its data packages, ns."""

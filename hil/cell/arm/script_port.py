@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from drivers.protocol.primary_messages import Text
 from hil.cell.arm.box import ControlBox
 from hil.cell.arm.pose import Vector6, compose, inverse, of, vector6, vector_of
 
@@ -103,6 +104,7 @@ class ScriptPort:
 
     def message(self, text: str) -> None:
         self._box.say(text)
+        self._box.announce(Text(text))
 
     def protective_stop(self, reason: str) -> None:
         self._box.protective_stop(reason)

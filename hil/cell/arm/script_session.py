@@ -1,10 +1,6 @@
-"""One client of the primary, secondary or real-time port: script text in, cut into units.
-
-Of what those ports send, only the version message exists here; their state streams do not.
-"""
+"""One client of the primary, secondary or real-time port: script text in, its stream out."""
 
 import re
-import struct
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Final
@@ -12,6 +8,7 @@ from typing import Final
 from drivers.protocol.errors import WireError
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.modes import Event
+from hil.cell.arm.streams.stream import Stream
 
 MAX_UNIT: Final = 1 << 20
 """Ten times the longest script that a known client uploads."""
@@ -19,7 +16,6 @@ MAX_UNIT: Final = 1 << 20
 _NOISE: Final = re.compile(r'"[^"\n]*"|#.*')
 _OPENS: Final = re.compile(r"\b(?:def|sec|thread|if|while|for)\b")
 _CLOSES: Final = re.compile(r"\bend\b")
-_VERSION_TAIL: Final = struct.Struct(">BBii")
 
 
 class UnitCutter:
@@ -57,12 +53,17 @@ class UnitCutter:
 
 
 class ScriptSession:
-    """closing: never; a client leaves when it likes, and its program runs on."""
+    """closing: never; a client leaves when it likes, and its program runs on.
+
+    lossy: a client that only sends scripts never reads what the port streams (ur_rtde does so).
+    """
 
     closing = False
+    lossy = True
 
-    def __init__(self, arm: ArmController, greeting: bytes) -> None:
-        self.greeting = greeting
+    def __init__(self, arm: ArmController, stream: Stream) -> None:
+        self.greeting = stream.greeting
+        self._stream = stream
         self._arm = arm
         self._cutter = UnitCutter()
 
@@ -77,29 +78,16 @@ class ScriptSession:
         return b""
 
     def publish(self, step: int) -> bytes:
-        """Nothing: state streams are not emulated."""
-        return b""
+        """What the port streams in this control step."""
+        return self._stream.publish(step)
 
     def close(self) -> None:
         """Forget a half-sent unit; a running program stays."""
-
-
-def version_message(version: tuple[int, ...]) -> bytes:
-    """What the primary and secondary ports send first (URCL version_message.h)."""
-    major, minor, bugfix, build = version
-    name = b"URControl"
-    body = struct.pack(">QBBB", 0, 254, 3, len(name)) + name
-    body += _VERSION_TAIL.pack(major, minor, bugfix, build) + b"20-06-2022, 10:00:00"
-    return struct.pack(">iB", len(body) + 5, 20) + body
+        self._stream.close()
 
 
 def _posts(event: Event) -> Callable[[ArmController], object]:
     return lambda arm: arm.box.post(event)
-
-
-def _unlock(arm: ArmController) -> None:
-    if arm.box.modes.unlockable(arm.box.t):
-        arm.box.post(Event.UNLOCK)
 
 
 COMMANDS: Final[Mapping[str, Callable[[ArmController], object]]] = MappingProxyType(
@@ -107,7 +95,8 @@ COMMANDS: Final[Mapping[str, Callable[[ArmController], object]]] = MappingProxyT
         "power on": _posts(Event.POWER_ON),
         "power off": _posts(Event.POWER_OFF),
         "set robotmode run": _posts(Event.BRAKE_RELEASE),
-        "set unlock protective stop": _unlock,
+        # UR's client asks once, at once, and waits: the wish is kept until 5 s have passed.
+        "set unlock protective stop": lambda arm: arm.box.modes.unlock_when_allowed(),
         "stop program": lambda arm: arm.programs.stop(),
     }
 )

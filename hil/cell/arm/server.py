@@ -6,17 +6,19 @@ bench time that the caller names.
 
 import selectors
 import socket
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import repeat
 from typing import Final, Self
 
 import numpy as np
 
+from hil.cell.arm.box import ControlBox
 from hil.cell.arm.connection import Connection, Cut, Session
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.dashboard_session import DashboardSession
 from hil.cell.arm.rtde_session import RtdeSession
-from hil.cell.arm.script_session import ScriptSession, version_message
+from hil.cell.arm.script_session import ScriptSession
+from hil.cell.arm.streams.stream import PrimaryStream, RealtimeStream, SecondaryStream, Stream
 from hil.cell.errors import DoorError
 from hil.cell.rig import LatencyLaw
 from hil.cell.rig.robot import Ports
@@ -24,6 +26,11 @@ from hil.cell.rig.task import Link
 
 DOORS: Final = ("dashboard", "primary", "secondary", "realtime", "rtde")
 BACKLOG: Final = 8
+_STREAMS: Final[Mapping[str, Callable[[ControlBox], Stream]]] = {
+    "primary": PrimaryStream,
+    "secondary": SecondaryStream,
+    "realtime": RealtimeStream,
+}
 DRAWN_AT_ONCE: Final = 256
 """Delays drawn in one call: a scalar draw costs a microsecond, a block of them little more."""
 
@@ -50,6 +57,7 @@ class UrServer:
         self._listeners: dict[str, socket.socket] = {}
         self._connections: list[Connection] = []
         self._rtde: list[tuple[Connection, RtdeSession]] = []
+        self._streams: list[Connection] = []
         self._clients = 0
         self._commands = 0
 
@@ -112,9 +120,14 @@ class UrServer:
         return len(self._connections)
 
     def publish(self, t: int, step: int) -> None:
-        """Build the packages of control step `step` and put them on their way at t, ns."""
+        """Build the packages of control step `step` and put them on their way at t, ns.
+
+        Streams leave with the next `flush`, without a travel time: nobody servos by them.
+        """
         for connection, _ in self._rtde:
             connection.publish(t, step)
+        for connection in self._streams:
+            connection.stream(step)
 
     @property
     def next_due(self) -> int | None:
@@ -160,7 +173,10 @@ class UrServer:
 
     def _connect(self, door: str, client: socket.socket) -> Connection:
         if door != "rtde":
-            return Connection(client, self._session(door), repeat(0))
+            connection = Connection(client, self._session(door), repeat(0))
+            if connection.session.lossy:
+                self._streams.append(connection)
+            return connection
         to_cell, from_cell = self._rng.spawn(2)  # a client's delays do not depend on other clients
         session = RtdeSession(self._arm, self._clients, _delays(self._link.to_cell, to_cell))
         connection = Connection(client, session, _delays(self._link.from_cell, from_cell))
@@ -170,8 +186,7 @@ class UrServer:
     def _session(self, door: str) -> Session:
         if door == "dashboard":
             return DashboardSession(self._arm)
-        greeting = b"" if door == "realtime" else version_message(self._arm.box.version)
-        return ScriptSession(self._arm, greeting)
+        return ScriptSession(self._arm, _STREAMS[door](self._arm.box))
 
     def _guarded(self, connection: Connection, act: Callable[[Connection], None]) -> None:
         """Do it; a connection that ends by it is dropped with a line in the log."""
@@ -184,6 +199,7 @@ class UrServer:
         assert self._selector is not None
         self._selector.unregister(connection.socket)
         self._connections.remove(connection)
+        self._streams = [other for other in self._streams if other is not connection]
         for pair in tuple(self._rtde):
             if pair[0] is connection:
                 self._commands += pair[1].commands

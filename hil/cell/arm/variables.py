@@ -46,6 +46,7 @@ MODELLED: Final[Mapping[str, str]] = MappingProxyType(
         "actual_digital_input_bits": "signals.inputs",
         "actual_digital_output_bits": "signals.outputs",
         "target_speed_fraction": "signals.speed_fraction",
+        "analog_io_types": "signals.analog_types",
     }
 )
 """Attribute of the control box by variable."""
@@ -82,7 +83,6 @@ NOT_MODELLED: Final[Mapping[str, object]] = MappingProxyType(
         "time_scale_source": 0,
         "script_control_line": 0,
         "io_current": 0.0,
-        "analog_io_types": 0b1111,
         "tool_analog_input_types": 0b11,
         "tool_analog_input0": 0.0,
         "tool_analog_input1": 0.0,

@@ -1,5 +1,6 @@
 """Rig sections of the arm, its servo, its gripper and its safety limits."""
 
+from pathlib import Path
 from typing import Literal
 
 from pydantic import Field, model_validator
@@ -73,6 +74,10 @@ class Robot(Section):
     version: str = Field(default="3.15.8.106339", pattern=r"^\d+\.\d+\.\d+\.\d+$")
     host: str = "127.0.0.1"
     ports: Ports = Ports()
+    remote_control: bool = True
+    """What an e-Series dashboard says of itself; commands are obeyed either way."""
+    programs: Path | None = None
+    """Folder of the programs that the dashboard can load, each a .script; none unless given."""
     repeatability: Length = 0.03e-3
     """Half width of the true pose's offset from the reported one, drawn anew at every grip."""
     home: tuple[Radians, Radians, Radians, Radians, Radians, Radians] = (
