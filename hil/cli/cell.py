@@ -28,6 +28,9 @@ RigPorts: TypeAlias = Annotated[
     bool, typer.Option("--rig-ports", help="Serve on the rig's ports, not on free ones.")
 ]
 UpClock: TypeAlias = Annotated[Clock, typer.Option(help="What paces the cell.")]
+HostOption: TypeAlias = Annotated[
+    str | None, typer.Option(help="Loopback address to serve on; the rig's host unless given.")
+]
 
 
 def demo(
@@ -82,11 +85,17 @@ def run(
     return report(perform(request, ignore, json=json), out, json=json)
 
 
-def up(rig: RigName, clock: UpClock = Clock.WALL, seed: Seed = None, json: Json = False) -> int:
+def up(
+    rig: RigName,
+    clock: UpClock = Clock.WALL,
+    seed: Seed = None,
+    host: HostOption = None,
+    json: Json = False,
+) -> int:
     """Serve a rig's cell until Ctrl-C, for clients of your own; print its ports and bus.
 
     By the wall clock unless told otherwise: in lockstep, time stands still until somebody commands.
     """
     from hil.cli.serving import serve  # noqa: PLC0415
 
-    return serve(rig, seed, clock.value, json=json)
+    return serve(rig, seed, clock.value, host, json=json)

@@ -1,16 +1,21 @@
 """`hil up`: says where the cell can be reached, serves it, says how it kept time."""
 
+from ipaddress import ip_address
+
 import typer
 
 from hil.app.up import up
+from hil.cell.rig import Rig
 from hil.cell.serve import Doors
 from hil.cli.shipped import read
 from hil.view.tables import as_json, of_facts, of_lateness
 
 
-def serve(rig: str, seed: int | None, clock: str, *, json: bool) -> int:
+def serve(rig: str, seed: int | None, clock: str, host: str | None, *, json: bool) -> int:
     """Serve until SIGINT or SIGTERM; the exit status."""
     found, _ = read(rig)
+    if host is not None:
+        found = _at(found, host)
 
     def announce(doors: Doors, bus: str) -> None:
         where = _where(doors)
@@ -26,10 +31,26 @@ def serve(rig: str, seed: int | None, clock: str, *, json: bool) -> int:
     return 0
 
 
+def _at(rig: Rig, host: str) -> Rig:
+    """The rig's cell on another loopback address, so that two can have the same ports."""
+    try:
+        local = ip_address(host).is_loopback
+    except ValueError:
+        local = False
+    if not local:
+        raise typer.BadParameter(
+            f"'{host}' is no loopback address such as 127.0.0.5; to serve a network, "
+            "set robot.host in the rig file",
+            param_hint="--host",
+        )
+    return rig.model_copy(update={"robot": rig.robot.model_copy(update={"host": host})})
+
+
 def _where(doors: Doors) -> dict[str, str | int | float | None]:
     return {
         "host": doors.host,
         **doors.ports,
         "can_interface": doors.can.interface,
         "can_channel": doors.can.channel,
+        **({"sensor_tcp": "{}:{}".format(*doors.sensor)} if doors.sensor else {}),
     }

@@ -96,7 +96,8 @@ def test_a_rig_is_shown_as_json_for_programs(hil):
 def test_an_unknown_rig_lists_what_there_is(hil):
     status, _, err = hil("rig", "check", "ffc_ur6")
     assert status == 2
-    assert err == "hil: no rig 'ffc_ur6'; did you mean 'ffc_ur5'? shipped are: ffc_ur5, ffc_ur5e\n"
+    assert err.startswith("hil: no rig 'ffc_ur6'; did you mean 'ffc_ur5'? shipped are: ffc_ur5, ")
+    assert err.count("\n") == 1
 
 
 def test_a_wrong_rig_file_is_one_line_with_its_key(hil, tmp_path):

@@ -34,6 +34,7 @@ CASES = (
     ("diff file none", "is empty"),
     ("bench --case contact", "did you mean"),
     ("up ffc_ur5 --clock sundial", "'lockstep', 'wall'"),
+    ("up ffc_ur5 --host 10.0.0.1", "no loopback address"),
     ("experiment insertion --seeds 0", "--seeds"),
 )
 
