@@ -1,5 +1,7 @@
 """The far side's composition root: the only place in the cell that names implementations."""
 
+from contextlib import ExitStack
+
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.server import UrServer
 from hil.cell.bench import Bench, CanLinks
@@ -9,6 +11,7 @@ from hil.cell.plant.interface import Plant
 from hil.cell.rig import Rig, drawn
 from hil.cell.sensor.gateway import open_gateway
 from hil.cell.sensor.node import SensorNode
+from hil.cell.sensor.tcp_port import TcpPort
 from hil.cell.serve import ServedCell
 from hil.cell.streams import stream
 
@@ -24,6 +27,14 @@ def build_plant(rig: Rig, seed: int) -> Plant:
         from hil.cell.plant.analytic import AnalyticPlant  # noqa: PLC0415
 
         return AnalyticPlant(rig, rng)
+    if rig.physics.plant == "surface":
+        from hil.cell.plant.surface import SurfacePlant  # noqa: PLC0415
+
+        return SurfacePlant(rig)
+    if rig.physics.plant == "surface_mujoco":
+        from hil.cell.plant.surface_mujoco import MujocoSurfacePlant  # noqa: PLC0415
+
+        return MujocoSurfacePlant(rig)
     from hil.cell.plant.ffc import FfcPlant  # noqa: PLC0415
 
     return FfcPlant(rig, rng)
@@ -53,9 +64,18 @@ def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
     gateway = open_gateway(rig.can, across_processes, fd=rig.sensor.frames == "fd")
     robot = rig.robot
     server = UrServer(bench.arm, robot.ports, robot.host, rig.latency.rtde, stream(seed, "rtde"))
-    try:
+    with ExitStack() as doors:
+        doors.callback(gateway.close)
         server.open()
-    except BaseException:
-        gateway.close()
-        raise
-    return ServedCell(bench, server, gateway, robot.host)
+        doors.callback(server.close)
+        port = _sensor_port(rig, bench, seed)
+        doors.pop_all()
+    return ServedCell(bench, server, gateway, robot.host, port)
+
+
+def _sensor_port(rig: Rig, bench: Bench, seed: int) -> TcpPort | None:
+    """The sensor's TCP front where the rig has one; raises DoorError."""
+    if not rig.sensor.serves_tcp:
+        return None
+    rng, say = stream(seed, "sensor_tcp"), bench.arm.box.say
+    return TcpPort(bench.node, rig.sensor, rig.latency.sensor_tcp, rng, say)

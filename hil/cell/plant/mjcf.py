@@ -14,8 +14,8 @@ def build(rig: Rig, history: int) -> mujoco.MjModel:
     """Compile the model; its sensor keeps `history` physics steps. Raises PlantError, RigError."""
     spec = mujoco.MjSpec()
     spec.modelname = rig.name
-    _set_options(spec, rig.physics.step)
-    add_scenery(spec)
+    set_options(spec, rig.physics.step)
+    add_scenery(spec, "connector")
     add_connector(spec, rig.connector)
     jaws = add_stage(spec, rig.tool, rig.cable, rig.robot.servo)
     add_cable(jaws, rig.cable, rig.pad, rig.connector)
@@ -26,7 +26,7 @@ def build(rig: Rig, history: int) -> mujoco.MjModel:
         raise PlantError(f"MuJoCo cannot build rig {rig.name!r}: {error}") from error
 
 
-def _set_options(spec: mujoco.MjSpec, step: float) -> None:
+def set_options(spec: mujoco.MjSpec, step: float) -> None:
     """Chosen by measurement; the defaults (Euler, pyramidal cone) creep and chatter."""
     spec.compiler.degree = False
     option = spec.option

@@ -3,10 +3,11 @@
 import mujoco
 
 CLOSE_UP = "close_up"
-"""Camera that looks at the slot from 5 cm, over the cable's broad side."""
+"""Camera that looks at its subject from 5 cm, over the cable's broad side."""
 
 
-def add_scenery(spec: mujoco.MjSpec) -> None:
+def add_scenery(spec: mujoco.MjSpec, subject: str) -> None:
+    """Add them; the close-up looks at the body of that name."""
     spec.visual.global_.offwidth = 1280
     spec.visual.global_.offheight = 960
     spec.visual.map.znear = 0.01
@@ -17,7 +18,7 @@ def add_scenery(spec: mujoco.MjSpec) -> None:
         name=CLOSE_UP,
         pos=[0.022, -0.036, 0.022],
         mode=mujoco.mjtCamLight.mjCAMLIGHT_TARGETBODY,
-        targetbody="connector",
+        targetbody=subject,
     )
     spec.add_texture(
         name="sky",

@@ -8,10 +8,10 @@ BOTTOM_BAND = 20e-6
 """A tip this near the slot's floor counts as on it, m."""
 
 
-def empty(stage: Stage) -> PartTruth:
+def empty(stage: Stage, contact: Contact = Contact.FREE) -> PartTruth:
     """Truth without a part: the tip is the TCP."""
     x, y, z, theta = stage
-    return PartTruth(None, (x, y, z), theta, 0.0, (0.0, 0.0, 0.0), Contact.FREE)
+    return PartTruth(None, (x, y, z), theta, 0.0, (0.0, 0.0, 0.0), contact)
 
 
 class Observer:

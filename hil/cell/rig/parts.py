@@ -94,7 +94,7 @@ class Tool(Section):
 class Physics(Section):
     """Which plant, and how finely it is stepped."""
 
-    plant: Literal["mujoco", "analytic", "wall"] = "mujoco"
+    plant: Literal["mujoco", "analytic", "wall", "surface", "surface_mujoco"] = "mujoco"
     step: Seconds = Field(default=0.5e-3, gt=0)
     wall_stiffness: NewtonsPerMetre = 10e3
     wall_damping: float = Field(default=20.0, ge=0)

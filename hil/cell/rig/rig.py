@@ -15,6 +15,7 @@ from hil.cell.rig.randomisation import Axis, Randomisation
 from hil.cell.rig.robot import FREE_PORTS, Robot
 from hil.cell.rig.section import Section
 from hil.cell.rig.sensor import CanBus, Sensor
+from hil.cell.rig.surface import Surface
 from hil.cell.rig.task import Latency, Limits, Task
 
 
@@ -32,6 +33,7 @@ class Rig(Section):
     pad: Pad = Pad()
     connector: Connector = Connector()
     fixture: Fixture = Fixture()
+    surface: Surface = Surface()
     physics: Physics = Physics()
     latency: Latency = Latency()
     limits: Limits = Limits()
@@ -41,7 +43,7 @@ class Rig(Section):
     def on_free_ports(self) -> "Rig":
         """The rig with every port 0: cells beside each other never meet."""
         robot = self.robot.model_copy(update={"ports": FREE_PORTS})
-        return self.model_copy(update={"robot": robot})
+        return self.model_copy(update={"robot": robot, "sensor": self.sensor.on_free_port()})
 
     @property
     def first_part(self) -> str:
