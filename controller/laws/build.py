@@ -8,15 +8,18 @@ from typing import TypeAlias
 
 from controller.laws.bounds import Bounds
 from controller.laws.constant import Constant
+from controller.laws.duan import Duan
 from controller.laws.governor import Governor
 from controller.laws.interface import ForceLaw
+from controller.laws.paper_aic import PaperAic
+from controller.laws.soft import Soft
 
-Parameter: TypeAlias = float | bool
+Parameters: TypeAlias = Mapping[str, "float | bool | Parameters"]
 
 
 def laws() -> dict[str, type]:
     """The laws that come with the controller, by name."""
-    return {"constant": Constant}
+    return {"constant": Constant, "duan": Duan, "paper": PaperAic, "soft": Soft}
 
 
 def law_class(name: str) -> type:
@@ -40,17 +43,9 @@ def law_class(name: str) -> type:
     return found
 
 
-def settings_of(name: str, parameters: Mapping[str, Parameter]) -> object:
-    """The law's settings from named numbers; ValueError for a name it does not have."""
-    kind = _settings(law_class(name))
-    names = [field.name for field in fields(kind)]
-    for parameter in parameters:
-        if parameter not in names:
-            close = get_close_matches(parameter, names, 1)
-            hint = f"did you mean {close[0]!r}?" if close else f"it has {', '.join(names)}"
-            raise ValueError(f"the law {name!r} has no parameter {parameter!r}; {hint}")
-    made: object = kind(**parameters)
-    return made
+def settings_of(name: str, parameters: Parameters) -> object:
+    """The law's settings from named numbers, groups nested; ValueError for a name it lacks."""
+    return _filled(name, _settings(law_class(name)), parameters)
 
 
 def build(name: str, settings: object | None, bounds: Bounds, period: int) -> Governor:
@@ -62,6 +57,24 @@ def build(name: str, settings: object | None, bounds: Bounds, period: int) -> Go
         raise ValueError(f"the law {name!r} takes {kind.__name__}, found {type(settings).__name__}")
     law: ForceLaw = found(settings, bounds, period * 1e-9)
     return Governor(law, bounds, period)
+
+
+def _filled(name: str, kind: type, parameters: Parameters) -> object:
+    known = [field.name for field in fields(kind)]
+    for parameter in parameters:
+        if parameter not in known:
+            close = get_close_matches(parameter, known, 1)
+            hint = f"did you mean {close[0]!r}?" if close else f"it has {', '.join(known)}"
+            raise ValueError(f"the law {name!r} has no parameter {parameter!r}; {hint}")
+    made: object = kind(**{key: _value(name, kind, key, parameters[key]) for key in parameters})
+    return made
+
+
+def _value(name: str, kind: type, key: str, value: float | bool | Parameters) -> object:
+    """A number as it is, a nested group as the settings it fills."""
+    if not isinstance(value, Mapping):
+        return value
+    return _filled(name, type(getattr(kind(), key)), value)
 
 
 def _settings(found: type) -> type:
