@@ -1,0 +1,89 @@
+"""A force-tracking job: down through free air, hold a force, slide along the surface under it."""
+
+from dataclasses import dataclass, field
+
+from controller.course import Course, Phase
+from controller.laws.governor import Governor
+from controller.laws.interface import AxisReading, Reference
+from controller.outcome import Ending, Kind
+from controller.phases.move import move
+from controller.place import Place
+from controller.reference import ForceProfile, Slide, Step
+from controller.settings import Travel
+
+GENTLE = Travel(speed=20e-3, acceleration=0.1)
+
+
+@dataclass(frozen=True, slots=True)
+class Tracking:
+    """One experiment: where it starts, what to hold, and for how long; times in s.
+
+    touch: mean push that counts as the first contact, N. patience: longest way down.
+    """
+
+    start: Place = Place(0.0, 0.0, 0.0, 0.0)
+    force: ForceProfile = field(default_factory=lambda: Step(10.0))
+    slide: Slide = field(default_factory=Slide)
+    hold: float = 3.2
+    moving: float = 8.0
+    touch: float = 0.4
+    rest: float = 0.3
+    patience: float = 10.0
+
+
+def tracking(course: Course, axis: Governor, job: Tracking) -> Phase[Ending]:
+    """Phases `start`, `lower`, `hold`, `slide`; ends early when the force stop latches."""
+    yield from move(course, job.start, GENTLE)
+    yield from course.dwell(job.rest)
+    axis.reset(course.setpoint.z)
+    if not (yield from _lower(course, axis, job)):
+        return _stopped(axis) or Ending(Kind.FAULT, f"no contact within {job.patience:g} s")
+    touched = course.cycle.t
+    for name, duration, slide in (("hold", job.hold, None), ("slide", job.moving, job.slide)):
+        course.name = name
+        yield from _under_force(course, axis, job.force, _Leg(touched, duration, slide))
+        if axis.tripped:
+            break
+    return _stopped(axis) or Ending(Kind.DONE, "tracked to the end")
+
+
+@dataclass(frozen=True, slots=True)
+class _Leg:
+    """touched: arm time of the first contact, ns, where the profile begins. duration: s."""
+
+    touched: int
+    duration: float
+    slide: Slide | None
+
+
+def _lower(course: Course, axis: Governor, job: Tracking) -> Phase[bool]:
+    """Down until the first touch; whether there was one."""
+    course.name = "lower"
+    reference = job.force.at(0.0)
+    for _ in range(round(job.patience / course.period)):
+        yield from _press(course, axis, reference, course.setpoint.x)
+        if course.cycle.wrench[2] > job.touch or axis.tripped:
+            return not axis.tripped
+    return False
+
+
+def _under_force(course: Course, axis: Governor, force: ForceProfile, leg: _Leg) -> Phase[None]:
+    begin, x = course.cycle.t, course.setpoint.x
+    while not axis.tripped and (t := (course.cycle.t - begin) * 1e-9) < leg.duration:
+        way = leg.slide.at(t) if leg.slide else 0.0
+        reference = force.at((course.cycle.t - leg.touched) * 1e-9)
+        yield from _press(course, axis, reference, x + way)
+
+
+def _press(course: Course, axis: Governor, reference: Reference, x: float) -> Phase[None]:
+    """One period of the law along z, the set-point at x."""
+    cycle = course.cycle
+    # The sensor's z points into the surface: a push on the tool is a negative fz.
+    push = tuple([-sample[2] for sample in cycle.reading.samples])
+    dz = axis.step(AxisReading(cycle.t, push, cycle.stage.z), reference)
+    y, z, theta = course.setpoint[1:]
+    yield from course.to(Place(x, y, z + dz, theta))
+
+
+def _stopped(axis: Governor) -> Ending | None:
+    return Ending(Kind.DANGER, "the law's force stop latched") if axis.tripped else None

@@ -1,0 +1,127 @@
+"""One run over the wire: cell up, drivers connected, tracked, closed; a row of figures out."""
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from pathlib import Path
+
+from controller.course import Course, Phase
+from controller.cycle import Cycle
+from controller.loop import Loop
+from controller.outcome import Ending, Kind, Outcome
+from controller.place import Place
+from controller.reference import Step
+from controller.start import bring_up
+from controller.track import Tracking, tracking
+from hil.app.inline import InlineCell
+from hil.app.near import limits, near_side, task_frame
+from hil.app.record import RunRecord, identity
+from hil.cell.rig import Rig
+from hil.experiments.force_tracking.figures import figures
+from hil.experiments.force_tracking.trace import Trace, Tracer
+from hil.experiments.force_tracking.variant import Variant, axis_of, rig_of
+from hil.recording.recorder import Recorder
+
+SHOWN = 8
+"""ms between two points of a kept time course."""
+
+Row = dict[str, object]
+
+
+def run(rig: Rig, seed: int, variant: Mapping[str, object]) -> Row:
+    """One run's row: a function of its arguments alone, so that a campaign may repeat it."""
+    what = Variant.from_json(variant)
+    trace, outcome = track(rig, seed, what)
+    made = figures(trace, what.force, completed=outcome.kind is Kind.DONE)
+    row: Row = {**made._asdict(), "ending": f"{outcome.kind.value}: {outcome.reason}"}
+    if what.trace:
+        row["course"] = _course(trace)
+    return row
+
+
+def track(rig: Rig, seed: int, variant: Variant) -> tuple[Trace, Outcome]:
+    """The experiment once; raises CellError, DriverError, RecordingError, ValueError."""
+    rig = rig_of(rig, variant).on_free_ports()
+    axis = axis_of(variant, rig.robot.period)
+    job = Tracking(force=Step(variant.force))
+    tracer = Tracer(rig.tool.mass)
+    with ExitStack() as stack:
+        recorder = _recorder(rig, seed, variant, stack)
+        cell = stack.enter_context(
+            InlineCell(rig, seed, "lockstep", record=recorder is not None)
+        )
+        frame = task_frame(rig)
+        record = RunRecord(recorder, cell, frame, rig.robot.period) if recorder else None
+        near = stack.enter_context(
+            near_side(rig, cell.doors, record.rtde if record else None)
+        )
+        bring_up(near.arm, near.sensor)
+        drive = _Drive(
+            lambda course: tracking(course, axis, job),
+            lambda cycle, course: tracer.watch(cycle, course, cell),
+            record,
+        )
+        loop = Loop(near.arm, near.sensor, frame, observe=drive.observe)
+        outcome = loop.run(drive.job, limits(rig))
+        if record is not None and recorder is not None:
+            record.end(outcome)
+            near.arm.close()
+            near.sensor.close()
+            cell.stop()
+            record.far()
+            recorder.close()
+    return tracer.trace(), outcome
+
+
+def _recorder(rig: Rig, seed: int, variant: Variant, stack: ExitStack) -> Recorder | None:
+    """An open recorder that a failing run abandons."""
+    if not variant.recording:
+        return None
+    settings = {key: str(value) for key, value in variant.as_json().items() if key != "recording"}
+    text = rig.model_dump_json(indent=1).encode()
+    recorder = Recorder(
+        Path(variant.recording), identity(rig.name, text, seed, settings), overwrite=True
+    )
+    recorder.open()
+    stack.callback(recorder.abandon)
+    return recorder
+
+
+class _Drive:
+    """The job with its observers, both of them in the loop's thread."""
+
+    def __init__(
+        self,
+        job: Callable[[Course], Phase[Ending]],
+        watch: Callable[[Cycle, Course], None],
+        record: RunRecord | None,
+    ) -> None:
+        self._job, self._watch, self._record = job, watch, record
+        self._course: Course | None = None
+
+    def job(self, course: Course) -> Phase[Ending]:
+        """The job, each cycle shown to the watcher before its command lets the cell move on."""
+        self._course = course
+        job = self._job(course)
+        try:
+            setpoint = next(job)
+            while True:
+                self._watch(course.cycle, course)
+                setpoint = job.send((yield setpoint))
+        except StopIteration as end:
+            ending: Ending = end.value
+            return ending
+
+    def observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
+        if self._record is not None and self._course is not None:
+            self._record.cycle(cycle, setpoint, self._course)
+
+
+def _course(trace: Trace) -> dict[str, list[float]]:
+    """Force (N) and position x_c (m) from the way down on, for a figure."""
+    push = trace.push[: len(trace.push) // SHOWN * SHOWN].reshape(-1, SHOWN).mean(axis=1)
+    step = max(1, SHOWN // trace.period)
+    return {
+        "push": [round(value, 4) for value in push.tolist()],
+        "z": [round(value, 7) for value in trace.place[step - 1 :: step, 1].tolist()],
+        "x": [round(value, 7) for value in trace.place[step - 1 :: step, 0].tolist()],
+    }
