@@ -45,6 +45,14 @@ class OverloadError(SensorError):
     """The wrench is outside the rated range or clipped: a bound, not a measurement."""
 
 
+class FlatSignalError(SensorError):
+    """Sample after sample is the same: gauges make noise, so somebody repeats an old value."""
+
+
+class BlankSignalError(FlatSignalError):
+    """Samples are zero on every axis: what a dead amplifier or an empty buffer looks like."""
+
+
 class SensorResetError(SensorError):
     """The node restarted: its tare is gone, so its readings mean something else."""
 

@@ -16,13 +16,18 @@ RECEIVE_BUFFER: Final = 4_000_000
 """Bytes asked of the kernel: its default holds 278 unread frames and then drops silently."""
 
 
-def open_bus(address: BusAddress, fd: bool) -> can.BusABC:
+CONFIGURED: Final = "config"
+"""Interface name that leaves the choice to python-can's own configuration (~/.canrc, can.conf)."""
+FIXED_RATE: Final = ("socketcan", "virtual", "udp_multicast", CONFIGURED)
+"""Interfaces whose bit rate is not the program's to set: `ip link` or the configuration has it."""
+
+
+def open_bus(
+    address: BusAddress, fd: bool, bitrate: int | None = None, context: str | None = None
+) -> can.BusABC:
     """Open a bus; LinkError names interface, channel and reason."""
     try:
-        options: dict[str, object] = dict(address.options())
-        if fd and address.interface == "socketcan":
-            options["fd"] = True
-        bus = can.Bus(**options)  # type: ignore[arg-type]
+        bus = can.Bus(**options(address, fd, bitrate, context))  # type: ignore[arg-type]
     except Exception as error:  # python-can's back ends raise NameError, OSError and their own
         reason = " ".join(str(error).split()) or type(error).__name__
         raise LinkError(
@@ -30,6 +35,23 @@ def open_bus(address: BusAddress, fd: bool) -> can.BusABC:
         ) from error
     _widen(bus)
     return bus
+
+
+def options(
+    address: BusAddress, fd: bool, bitrate: int | None, context: str | None
+) -> dict[str, object]:
+    """Keyword arguments of `can.Bus`; what the address leaves open, the configuration fills in."""
+    if address.interface == CONFIGURED:
+        chosen: dict[str, object] = {"config_context": context or None}
+        if address.channel:
+            chosen["channel"] = address.channel
+        return chosen
+    chosen = dict(address.options())
+    if fd and address.interface == "socketcan":
+        chosen["fd"] = True
+    if bitrate is not None and address.interface not in FIXED_RATE:
+        chosen["bitrate"] = bitrate
+    return chosen
 
 
 def _widen(bus: can.BusABC) -> None:

@@ -9,6 +9,7 @@ import can
 from drivers.interfaces import SensorHealth, WrenchReading
 from drivers.nrs.bus import open_bus
 from drivers.nrs.link import Link
+from drivers.nrs.plausibility import TYPICAL, Plausible
 from drivers.nrs.session import Session
 from drivers.protocol.bus_address import BusAddress
 from drivers.protocol.frame import CanFrame
@@ -21,6 +22,8 @@ class CanSensor:
     """Takes the bus in the caller's thread, so that lockstep runs repeat, unless `background`.
 
     max_age_ns: limit on the newest sample's age in arm time. period_ns: time between samples.
+    bitrate: bit/s, for adapters that the driver sets up; the kernel's interfaces have theirs.
+    context: section of python-can's own configuration, where the interface is `config`.
     """
 
     def __init__(
@@ -33,9 +36,13 @@ class CanSensor:
         max_age_ns: int = 10_000_000,
         period_ns: int = 1_000_000,
         background: bool = False,
+        plausible: Plausible = TYPICAL,
+        bitrate: int | None = None,
+        context: str | None = None,
     ) -> None:
-        self._link = Link(partial(open_bus, BusAddress(interface, channel), fd), background)
-        self._session = Session(node, fd, period_ns, max_age_ns)
+        address = BusAddress(interface, channel)
+        self._link = Link(partial(open_bus, address, fd, bitrate, context), background)
+        self._session = Session(node, fd, period_ns, max_age_ns, plausible)
         self._heard: int | None = None
         self._last_error = ""
         self._foreign = 0

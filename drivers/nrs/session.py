@@ -17,6 +17,7 @@ from drivers.interfaces import Freshness as Standing
 from drivers.interfaces import WrenchReading
 from drivers.nrs.assembler import Assembler, NumberedSample
 from drivers.nrs.freshness import Freshness
+from drivers.nrs.plausibility import OFF, Plausibility, Plausible
 from drivers.nrs.requests import Requests
 from drivers.protocol.frame import CanFrame
 from drivers.protocol.nrs_can import FAULT, OVERLOAD, SATURATED, TARED, VALID, Identifiers
@@ -49,8 +50,11 @@ class _Stream:
 class Session:
     """Understands one node's frames; period: between samples, max_age: of the newest one, ns."""
 
-    def __init__(self, node: int, fd: bool, period: int, max_age: int) -> None:
+    def __init__(
+        self, node: int, fd: bool, period: int, max_age: int, plausible: Plausible = OFF
+    ) -> None:
         self._node = node
+        self._plausibility = Plausibility(plausible)
         self._ids = Identifiers.of(node)
         self._period = period
         self._max_age = max_age
@@ -74,6 +78,7 @@ class Session:
         """Ask the node to transmit from scratch: what was known of its count and zero is void."""
         self.assembler.restart()
         self._freshness.restart()
+        self._plausibility.restart()
         self._stream = _Stream()
         self._requests.clear()
         self._requests.put(Opcode.TRANSMIT, (1,))
@@ -155,6 +160,7 @@ class Session:
         for sample in fresh or (newest,):
             if sample.flags & UNUSABLE or not sample.flags & VALID:
                 raise _unusable(sample)
+        self._plausibility.check()
         return WrenchReading(
             wrench=newest.wrench,
             samples=tuple([sample.wrench for sample in fresh]),
@@ -165,6 +171,7 @@ class Session:
         )
 
     def _keep(self, sample: NumberedSample) -> None:
+        self._plausibility.watch(sample.wrench)
         if sample.number >= self._stream.zero_from:
             self._stream.newest = sample
             self._stream.fresh.append(sample)

@@ -14,10 +14,11 @@ from controller.frames import TaskFrame
 from controller.guard import Limits
 from controller.place import Place
 from controller.settings import Insertion, Jam, Plan, Press, Search, Travel
-from drivers.nrs.can_sensor import CanSensor
+from drivers.interfaces import ForceTorqueSensor
 from drivers.ur.arm import Tap, UrArm, UrPorts
 from drivers.ur.gripper import DigitalGripper
 from drivers.ur.program import ServoProgram
+from hil.app.wrist import wrist_sensor
 from hil.cell.errors import RigError
 from hil.cell.rig import Rig
 from hil.cell.rig.parts import Part
@@ -31,7 +32,7 @@ class NearSide(NamedTuple):
     """Connected to nothing yet: bringing up is the controller's work."""
 
     arm: UrArm
-    sensor: CanSensor
+    sensor: ForceTorqueSensor
     gripper: DigitalGripper
 
 
@@ -50,16 +51,10 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
         rate=rig.robot.rate,
         tap=tap,
     )
-    sensor = CanSensor(
-        doors.can.interface,
-        doors.can.channel,
-        node=rig.sensor.node,
-        fd=rig.sensor.frames == "fd",
-        max_age_ns=round(rig.limits.sample_age * NS),
-        period_ns=round(NS / rig.sensor.rate),
-    )
     jaws = rig.robot.jaws
-    return NearSide(arm, sensor, DigitalGripper(arm, jaws.output, jaws.sensed))
+    return NearSide(
+        arm, wrist_sensor(rig, doors), DigitalGripper(arm, jaws.output, jaws.sensed)
+    )
 
 
 @contextmanager

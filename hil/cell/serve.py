@@ -10,6 +10,7 @@ from hil.cell.bench import Bench
 from hil.cell.clock import Schedule
 from hil.cell.plant.interface import PlantStep
 from hil.cell.sensor.gateway import Gateway
+from hil.cell.sensor.tcp_port import TcpPort
 
 WAKE = 0.05
 """How long, in wall seconds, a wait for commands lasts before the stop flag is looked at."""
@@ -22,11 +23,12 @@ NAP = 200_000
 
 
 class Doors(NamedTuple):
-    """Where the cell can be reached."""
+    """Where the cell can be reached; sensor: host and port of the sensor's TCP front, if any."""
 
     host: str
     ports: dict[str, int]
     can: BusAddress
+    sensor: tuple[str, int] | None = None
 
 
 class Tick(NamedTuple):
@@ -44,14 +46,24 @@ Stopped = Callable[[], bool]
 class ServedCell:
     """Owns sockets and bus; `lockstep` or `wall` runs it in the caller's thread until stopped."""
 
-    def __init__(self, bench: Bench, server: UrServer, gateway: Gateway, host: str) -> None:
+    def __init__(
+        self,
+        bench: Bench,
+        server: UrServer,
+        gateway: Gateway,
+        host: str,
+        sensor_port: TcpPort | None = None,
+    ) -> None:
         self.bench, self.server, self.gateway = bench, server, gateway
+        self._sensor_port = sensor_port
         self._host = host
         self._step = 0
 
     @property
     def doors(self) -> Doors:
-        return Doors(self._host, self.server.ports, self.gateway.address)
+        port = self._sensor_port
+        sensor = None if port is None else port.address
+        return Doors(self._host, self.server.ports, self.gateway.address, sensor)
 
     def describe(self) -> str:
         """One line for people: which bus was taken."""
@@ -109,20 +121,29 @@ class ServedCell:
 
     def _tick(self) -> None:
         self.bench.put_on_bus(self.gateway.receive())
+        port = self._sensor_port
+        if port is not None:
+            port.take(self.bench.t, self.bench.t + self.bench.period)
         self.bench.tick()
+        if port is not None:
+            port.publish(self.bench.t)
         self._step += 1
         self.server.publish(self.bench.t, self._step)
 
     def _send(self, edge: int, observe: Observer) -> None:
-        """CAN goes out before RTDE, so the RTDE package is the edge of the period."""
+        """The sensor goes out before RTDE, so the RTDE package is the edge of the period."""
         frames = self.bench.take_from_bus(edge)
         self.gateway.send([frame for _, frame in frames])
+        if self._sensor_port is not None:
+            self._sensor_port.flush(edge)
         self.server.flush(edge)
         observe(Tick(self.bench.t, frames, self.bench.truth))
 
     def close(self) -> None:
         self.server.close()
         self.gateway.close()
+        if self._sensor_port is not None:
+            self._sensor_port.close()
 
     def __enter__(self) -> Self:
         return self

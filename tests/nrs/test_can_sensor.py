@@ -13,6 +13,7 @@ from drivers.errors import (
 )
 from drivers.interfaces import Freshness
 from drivers.nrs.can_sensor import CanSensor
+from drivers.nrs.plausibility import OFF
 from drivers.protocol.nrs_command import Opcode, decode_command
 from hil.cell.rig.sensor import Sensor
 from hil.cell.sensor.node import SensorNode
@@ -59,7 +60,7 @@ def cell(gateway, frames):
 
 @pytest.fixture
 def driver(cell, frames):
-    sensor = CanSensor(*cell.gateway.address, fd=frames == "fd")
+    sensor = CanSensor(*cell.gateway.address, fd=frames == "fd", plausible=OFF)
     sensor.connect()
     yield sensor
     sensor.close()

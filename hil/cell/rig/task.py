@@ -51,3 +51,4 @@ class Latency(Section):
 
     rtde: Link = Link()
     can: Link = Link()
+    sensor_tcp: Link = Link()

@@ -14,6 +14,7 @@ from hil.cell.rig.sensor import Sensor
 from hil.cell.sensor.announcer import Announcer
 from hil.cell.sensor.commands import CommandServer, Settings
 from hil.cell.sensor.framing import Batch, Framing, Timed
+from hil.cell.sensor.tare import Tare
 from hil.cell.sensor.transducer import DAMAGED, Counts, Transducer, error_budget
 
 Array: TypeAlias = NDArray[np.float64]
@@ -33,7 +34,11 @@ _emission_time = itemgetter(0)
 
 
 class SensorNode:
-    """One node on the bus, switched on at t = 0; same seed and inputs give the same frames."""
+    """One node on the bus, switched on at t = 0; same seed and inputs give the same frames.
+
+    samples: those of the last `advance`, for fronts beside the bus, which set `listened` to have
+    them while nobody asked for frames. boots: how often the node has started.
+    """
 
     def __init__(self, sensor: Sensor, rng: np.random.Generator) -> None:
         errors = error_budget(sensor)
@@ -52,17 +57,35 @@ class SensorNode:
         self._outbox: list[Timed] = []
         self._held = np.zeros((1, 6))
         self._now = 0
+        self.boots = 0
+        self.listened = False
+        self.samples: Batch | None = None
         self.reboot(0)
 
     @property
     def transducer(self) -> Transducer:
         return self._transducer
 
+    @property
+    def booting(self) -> bool:
+        return self._booting
+
+    @property
+    def settings(self) -> Settings:
+        """Rate and filter, one set for every front."""
+        return self._server.settings
+
+    @property
+    def tare(self) -> Tare:
+        """The zero, one for every front."""
+        return self._server.tare
+
     def reboot(self, t: int) -> None:
         """Restart at t, as after a brown-out: tare gone, silent until told to transmit."""
         self._server.reboot()
         self._up = t + self._boot_time
         self._booting = True
+        self.boots += 1
         self._conversion = 0
         self._alarms = 0
         self._outbox.append(self._announcer.boot(t))
@@ -95,6 +118,7 @@ class SensorNode:
         history = np.concatenate((self._held, wrenches))
         self._held = history[-1:]
         counts = self._transducer.measure(t, history[_rows(times, start, len(wrenches))])
+        self.samples = None
         if not self._booting:
             self._sample(times, counts)
             self._announce(t)
@@ -118,7 +142,7 @@ class SensorNode:
             operation.gauge_fault |= bool((alarms & DAMAGED).any())
         if operation.gauge_fault:
             alarms = alarms | DAMAGED
-        if not operation.transmit or not times:
+        if not (operation.transmit or self.listened) or not times:
             return
         period = self._server.settings.period
         first = -(self._conversion - len(times)) % period
@@ -126,8 +150,10 @@ class SensorNode:
         was_tared = tare.set
         values, still_old = tare.apply(counts.values[chosen], operation.sent)
         batch = Batch(times[chosen], values, alarms[chosen], operation.sent, still_old)
-        self._outbox += self._framing.frames(batch, (was_tared, tare.set))
-        operation.sent += len(batch.times)
+        self.samples = batch
+        if operation.transmit:
+            self._outbox += self._framing.frames(batch, (was_tared, tare.set))
+            operation.sent += len(batch.times)
 
     def _announce(self, t: int) -> None:
         operation = self._server.operation
