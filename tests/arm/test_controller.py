@@ -12,7 +12,7 @@ SERVO = """def follow():
   while True:
     q = get_target_joint_positions()
     q[0] = q[0] + read_input_float_register(24)
-    servoj(q, t=get_steptime())
+    servoj(q, t=get_steptime(), lookahead_time=0.03)
   end
 end
 """

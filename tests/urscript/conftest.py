@@ -10,6 +10,53 @@ Vector6 = tuple[float, float, float, float, float, float]
 ZERO6: Vector6 = (0.0,) * 6
 
 
+class FakeForce:
+    """Remembers what force control was asked for; pushes with what the test says."""
+
+    def __init__(self) -> None:
+        self.felt: Vector6 = (3.0, 4.0, 12.0, 0.0, 0.0, 0.0)
+        self.freedrive = False
+        self.calls: list[tuple[object, ...]] = []
+        self.contact = 0
+        self.past: dict[int, Vector6] = {0: ZERO6}
+
+    def wrench(self) -> Vector6:
+        return self.felt
+
+    def zero(self) -> None:
+        self.calls.append(("zero",))
+
+    def believe(self, external: bool, at: tuple[float, float, float]) -> None:
+        self.calls.append(("believe", external, at))
+
+    def start(self, *task: object) -> None:
+        if task[3] not in (1, 2, 3):
+            raise ValueError("no such type")
+        self.calls.append(("start", *task))
+
+    def release(self, frame: Vector6, selection: tuple[bool, ...]) -> None:
+        self.freedrive = True
+        self.calls.append(("release", frame, selection))
+
+    def end(self) -> None:
+        self.freedrive = False
+        self.calls.append(("end",))
+
+    def damp(self, damping: float) -> None:
+        self.calls.append(("damp", damping))
+
+    def scale(self, gain: float) -> None:
+        self.calls.append(("scale", gain))
+
+    def cycles_since_contact(self, direction: tuple[float, float, float]) -> int:
+        return self.contact
+
+    def joints_before(self, cycles: int) -> Vector6:
+        if cycles not in self.past:
+            raise ValueError("not remembered")
+        return self.past[cycles]
+
+
 class FakePort:
     """A robot that stands where its last set-point was, and whose pose equals its joints."""
 
@@ -27,10 +74,18 @@ class FakePort:
         self.watched: list[tuple[str, float, str]] = []
         self.stops: list[str] = []
         self.tcp = ZERO6
-        self.payload: tuple[float, tuple[float, float, float]] | None = None
+        self.load = (0.0, (0.0, 0.0, 0.0), ZERO6)
+        self.force = FakeForce()
+        self.slider = 1.0
+        self.gravity = (0.0, 0.0, 9.82)
+        self.voltage = 0
+        self.analog = [0.0, 0.0]
+        self._tail: list[Vector6] = []
         self._next: Vector6 | None = None
 
     def end_cycle(self) -> None:
+        if self._next is None and self._tail:
+            self._next = self._tail.pop(0)
         self.setpoints.append(self._next)
         after = self._next or self.q
         rate = 1e9 / self.period
@@ -48,6 +103,11 @@ class FakePort:
     def input_boolean(self, index: int) -> bool:
         return bool(self.inputs.get(index, 0))
 
+    def written_integer(self, index: int) -> int:
+        return self.outputs.get(index, 0)
+
+    written_float = written_boolean = written_integer
+
     def output_integer(self, index: int, value: int) -> None:
         self.outputs[index] = value
 
@@ -63,6 +123,20 @@ class FakePort:
     def set_digital_output(self, bit: int, on: bool) -> None:
         self.digital[bit] = on
 
+    def digital_output(self, bit: int) -> bool:
+        return self.digital.get(bit, False)
+
+    def analog_input(self, index: int) -> float:
+        return self.analog[index]
+
+    analog_output = analog_input
+
+    def set_analog_output(self, index: int, ratio: float) -> None:
+        self.analog[index] = ratio * 10.0
+
+    def set_tool_voltage(self, volts: int) -> None:
+        self.voltage = volts
+
     def actual_q(self) -> Vector6:
         return self.q
 
@@ -71,10 +145,19 @@ class FakePort:
     def actual_qd(self) -> Vector6:
         return self.qd
 
-    target_qd = actual_tcp_speed = actual_qd
+    target_qd = actual_tcp_speed = target_tcp_speed = actual_qd
 
-    def tcp_force(self) -> Vector6:
-        return (3.0, 4.0, 12.0, 0.0, 0.0, 0.0)
+    def target_qdd(self) -> Vector6:
+        return ZERO6
+
+    def joint_torques(self) -> Vector6:
+        return self.force.felt
+
+    def jacobian(self, q: Sequence[float]) -> tuple[Vector6, ...]:
+        return tuple(tuple(float(i == j) for j in range(6)) for i in range(6))
+
+    def refusal(self, q: Sequence[float]) -> str | None:
+        return "too far" if max(map(abs, q)) > 6.3 else None
 
     def tcp_offset(self) -> Vector6:
         return self.tcp
@@ -82,8 +165,16 @@ class FakePort:
     def set_tcp(self, pose: Vector6) -> None:
         self.tcp = pose
 
-    def set_payload(self, mass: float, cog: tuple[float, float, float]) -> None:
-        self.payload = (mass, cog)
+    def payload(self) -> tuple[float, tuple[float, float, float], Vector6]:
+        return self.load
+
+    def set_payload(
+        self, mass: float, cog: tuple[float, float, float], inertia: Vector6 | None = None
+    ) -> None:
+        self.load = (mass, cog, inertia or self.load[2])
+
+    def set_gravity(self, gravity: tuple[float, float, float]) -> None:
+        self.gravity = gravity
 
     def forward_kin(self, q: Sequence[float], tcp: Vector6 | None) -> Vector6:
         return tuple(q)
@@ -97,6 +188,16 @@ class FakePort:
 
     def servo_q(self, q: Sequence[float]) -> None:
         self._next = tuple(q)
+        self._tail = []
+
+    def coast(self, points: Sequence[Vector6]) -> None:
+        self._tail = list(points)
+
+    def coasting(self) -> tuple[Vector6, ...]:
+        return tuple(self._tail)
+
+    def speed_fraction(self) -> float:
+        return self.slider
 
     def brake(self, deceleration: float) -> bool:
         loss = deceleration * self.period * 1e-9

@@ -12,7 +12,7 @@ def first_axis(robot):
 
 
 def test_servoj_over_several_cycles_arrives_in_equal_steps(robot, run):
-    run("servoj([0.4, 0, 0, 0, 0, 0], t = 0.032)")
+    run("servoj([0.4, 0, 0, 0, 0, 0], t = 0.032, lookahead_time = 0.03)")
     assert first_axis(robot) == pytest.approx([0.1, 0.2, 0.3, 0.4])
 
 

@@ -55,5 +55,5 @@ def test_unknown_watchdog_action_ends_the_program(run):
 def test_tool_and_payload_are_configured(robot, run):
     run("set_tcp(p[0, 0, 0.12, 0, 0, 0])\nset_payload(0.6, [0, 0, 0.06])\nprotective_stop()")
     assert robot.tcp == (0.0, 0.0, 0.12, 0.0, 0.0, 0.0)
-    assert robot.payload == (0.6, (0.0, 0.0, 0.06))
+    assert robot.load[:2] == (0.6, (0.0, 0.0, 0.06))
     assert len(robot.stops) == 1

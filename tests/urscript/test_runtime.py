@@ -6,7 +6,7 @@ SERVO = """
 def follow():
   while True:
     q = [read_input_float_register(0), 0, 0, 0, 0, 0]
-    servoj(q, 0, 0, 0.008, 0.1, 300)
+    servoj(q, 0, 0, 0.008, 0.03, 300)
   end
 end
 """

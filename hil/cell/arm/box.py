@@ -5,6 +5,9 @@ from collections import deque
 from typing import Final
 
 from drivers.protocol.primary_messages import ErrorCode, Level, Message
+from hil.cell.arm.force.contact import THRESHOLDS, ContactHistory
+from hil.cell.arm.force.estimate import ForceEstimate
+from hil.cell.arm.force.mode import ForceMode
 from hil.cell.arm.inputs import InputImage
 from hil.cell.arm.jaws import Jaws
 from hil.cell.arm.kinematics import Kinematics
@@ -30,9 +33,9 @@ class ControlBox:
     """t: controller time, ns. version: of the emulated software. log: (t, text), oldest first."""
 
     __slots__ = (
-        "announcer", "inputs", "jaws", "kinematics", "log", "measured", "modes", "ownership",
-        "pendant", "period", "registers", "robot", "servo", "signals", "t", "target", "tool",
-        "version", "watchdog",
+        "announcer", "contact", "estimate", "force_mode", "inputs", "jaws", "kinematics", "log",
+        "measured", "modes", "ownership", "pendant", "period", "registers", "robot", "servo",
+        "signals", "t", "target", "tool", "version", "watchdog",
     )  # fmt: skip
 
     def __init__(self, robot: Robot) -> None:
@@ -56,6 +59,9 @@ class ControlBox:
         self.servo = Servo(robot.home, dt)
         self.target = Target(self.kinematics.forward(robot.home), self.tool, dt)
         self.measured = Measurement(robot.home, self.kinematics, self.tool)
+        self.estimate = ForceEstimate(self.measured, self.tool, self.inputs, robot.period)
+        self.contact = ContactHistory(self.estimate, THRESHOLDS[robot.series != "cb3"])
+        self.force_mode = ForceMode(dt)
 
     @property
     def seconds(self) -> float:

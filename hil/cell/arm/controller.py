@@ -6,12 +6,14 @@ from typing import NamedTuple
 import numpy as np
 
 from hil.cell.arm.box import NS, ControlBox
+from hil.cell.arm.force.estimate import BUILT_IN, CURRENTS
 from hil.cell.arm.modes import Event
-from hil.cell.arm.pose import Pose, Vector6
+from hil.cell.arm.pose import Pose, Vector6, compose
 from hil.cell.arm.programs import Programs
 from hil.cell.arm.repeatability import Repeatability
 from hil.cell.arm.safety import Motion, judge
 from hil.cell.arm.script_port import ScriptPort
+from hil.cell.arm.servo import STOP_DECELERATION
 from hil.cell.arm.watchdog import Action
 from hil.cell.rig.robot import Robot
 
@@ -39,6 +41,9 @@ class ArmController:
         self.programs = Programs(self.box, self.port)
         self._dt = robot.period / NS
         self._repeatability = Repeatability(robot.repeatability, rng)
+        deviation = CURRENTS if robot.series == "cb3" else BUILT_IN
+        # A child stream: the repeatability's draws stay what they are without force noise.
+        self.box.estimate.disturb(deviation, rng.spawn(1)[0])
 
     @property
     def flange(self) -> Pose:
@@ -77,6 +82,7 @@ class ArmController:
         box = self.box
         box.t = t
         box.measured.take(t, self._repeatability.reported(flange), twist, force)
+        box.contact.note(box.measured.q, force)
         box.signals.set_input(box.jaws.sensed_input, box.jaws.sense(part_held, t))
 
     @property
@@ -97,6 +103,8 @@ class ArmController:
     def _move(self) -> None:
         """Let the servo follow its set-point, if the brakes are open and the limits allow it."""
         box, servo = self.box, self.box.servo
+        if box.force_mode.task is not None and box.modes.moving:
+            self._give_way()
         pending, before = servo.pending, servo.q
         flange: Pose | None = None
         if pending is not None and pending != before and not box.modes.moving:
@@ -113,3 +121,24 @@ class ArmController:
         if flange is None and servo.q != before:
             flange = box.kinematics.forward(servo.q)
         box.target.advance(box.target.flange if flange is None else flange)
+
+    def _give_way(self) -> None:
+        """Let force mode change the set-point: its compliant axes follow force, not the program."""
+        box, servo, kinematics = self.box, self.box.servo, self.box.kinematics
+        tool, target = box.tool, box.target
+        if servo.pending is None and any(servo.path_qd):
+            servo.brake(STOP_DECELERATION)
+        pending, at = servo.pending, compose(target.flange, tool.pose)
+        reason = box.force_mode.deviation(at, compose(box.measured.flange, tool.pose))
+        if reason is not None:
+            box.protective_stop(reason)
+            return
+        wanted = at if pending is None else compose(kinematics.forward(pending), tool.pose)
+        tip, path = box.force_mode.step(at, wanted, box.estimate.wrench, target.twist[:3])
+        try:
+            q = kinematics.inverse(compose(tip, tool.to_flange), servo.q)
+            still = servo.q if path == at else kinematics.inverse(compose(path, tool.to_flange), q)
+        except ValueError as error:
+            box.protective_stop(f"force mode left the arm's reach: {error}")
+            return
+        servo.give_way(q, still)

@@ -8,10 +8,13 @@ from typing import Final, get_args
 
 import numpy as np
 
-from hil.cell.arm.pose import Pose, Vector3, Vector6
+from hil.cell.arm.pose import Pose, Vector3, Vector6, compose, twist_between, vector6
 from hil.cell.rig.robot import Model
 
 MODELS: Final[tuple[str, ...]] = get_args(Model)
+
+_NUDGE: Final = 1e-5
+"""rad; error of a central difference: 1e-10 of curvature, 1e-11 of rounding."""
 
 
 class Kinematics:
@@ -58,6 +61,20 @@ class Kinematics:
             (f * c + g * s, g * c - f * s, h, y),
             (i * c + j * s, j * c - i * s, k, z),
         )
+
+    def jacobian(self, q: Sequence[float], tool: Pose) -> tuple[Vector6, ...]:
+        """Rows of dx/dq of a tool in the flange's frame, base axes, m/rad and rad/rad.
+
+        By central differences: exact to 1e-9, and for programs that ask, not for the control loop.
+        """
+        columns = []
+        for joint in range(6):
+            lower, upper = list(q), list(q)
+            lower[joint] -= _NUDGE
+            upper[joint] += _NUDGE
+            before, after = (compose(self.forward(end), tool) for end in (lower, upper))
+            columns.append(twist_between(before, after, 2 * _NUDGE))
+        return tuple(vector6(row) for row in zip(*columns, strict=True))
 
     def elbow(self, q: Vector6) -> Vector3:
         """Elbow joint in the base frame, m."""

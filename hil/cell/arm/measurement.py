@@ -22,12 +22,13 @@ NS = 1_000_000_000
 
 
 class Tool:
-    """What the program said is mounted: TCP in the flange's frame, payload; m, rad and kg."""
+    """What the program said is mounted: TCP in the flange's frame, payload; m, rad, kg, kg·m²."""
 
-    __slots__ = ("centre_of_gravity", "mass", "offset", "pose", "to_flange")
+    __slots__ = ("centre_of_gravity", "inertia", "mass", "offset", "pose", "to_flange")
 
     def __init__(self) -> None:
         self.mass = 0.0
+        self.inertia: Vector6 = ZERO6
         self.centre_of_gravity: Vector3 = ZERO3
         self.offset: Vector6 = ZERO6
         self.pose = IDENTITY
@@ -75,9 +76,12 @@ class Target:
 
 
 class Measurement:
-    """q, qd: joints, rad and rad/s. force: wrench at the TCP in the base frame, N and N·m."""
+    """q, qd: joints, rad and rad/s. force: true wrench at the TCP in the base frame, N and N·m.
 
-    __slots__ = ("_flange_twist", "_kinematics", "_t", "_tool", "flange", "force", "q", "qd")
+    t: bench time of these, ns.
+    """
+
+    __slots__ = ("_flange_twist", "_kinematics", "_tool", "flange", "force", "q", "qd", "t")
 
     def __init__(self, q: Vector6, kinematics: Kinematics, tool: Tool) -> None:
         self.q = q
@@ -87,20 +91,20 @@ class Measurement:
         self._flange_twist = ZERO6
         self._kinematics = kinematics
         self._tool = tool
-        self._t: int | None = None
+        self.t = 0
 
     def take(self, t: int, flange: Pose, twist: Vector6, force: Vector6) -> None:
         """Note the state at bench time t, ns; PlantError when no joint angles explain it.
 
         Joint speed is the mean since the last call: encoders are differentiated in a real box too.
         """
-        before, seconds = self.q, 0.0 if self._t is None else (t - self._t) / NS
+        before, seconds = self.q, (t - self.t) / NS
         if flange != self.flange:
             self.q = self._angles(flange)
             self.flange = flange
         moved = seconds > 0.0 and self.q is not before
         self.qd = _rate(before, self.q, seconds) if moved else ZERO6
-        self._flange_twist, self.force, self._t = twist, force, t
+        self._flange_twist, self.force, self.t = twist, force, t
 
     @property
     def pose(self) -> Vector6:

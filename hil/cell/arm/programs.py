@@ -87,6 +87,7 @@ class Programs:
             self._primary = None
             self.on_pendant = False
             self._box.watchdog.clear()
+            self._box.force_mode.reset()
             self._box.say("program stopped")
 
     def _runs_on(self, runtime: Runtime) -> bool:

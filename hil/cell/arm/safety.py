@@ -1,5 +1,6 @@
 """The safety system's judgement of a joint set-point: None, or why it makes a protective stop."""
 
+from collections.abc import Sequence
 from math import dist, isfinite
 from typing import NamedTuple
 
@@ -23,10 +24,9 @@ def judge(motion: Motion, limits: Safety) -> str | None:
     The order is that of severity: a jump is also too fast, and is told as a jump.
     """
     step = max(map(abs, map(float.__sub__, motion.next_q, motion.q)))
-    if not isfinite(sum(motion.next_q)):
-        return f"set-point is not finite: {motion.next_q}"
-    if max(map(abs, motion.next_q)) > limits.joint_range:
-        return _exceeded("joint position", max(map(abs, motion.next_q)), limits.joint_range, "rad")
+    outside = out_of_range(motion.next_q, limits)
+    if outside is not None:
+        return outside
     if step > limits.servo_step:
         return _exceeded("set-point jump", step, limits.servo_step, "rad")
     speed = step / motion.seconds
@@ -35,6 +35,16 @@ def judge(motion: Motion, limits: Safety) -> str | None:
     tcp_speed = dist(motion.tcp, motion.next_tcp) / motion.seconds
     if tcp_speed > limits.tcp_speed:
         return _exceeded("TCP speed", tcp_speed, limits.tcp_speed, "m/s")
+    return None
+
+
+def out_of_range(q: Sequence[float], limits: Safety) -> str | None:
+    """Why the arm may not stand at these joint angles, rad."""
+    if not isfinite(sum(q)):
+        return f"set-point is not finite: {tuple(q)}"
+    farthest = max(map(abs, q))
+    if farthest > limits.joint_range:
+        return _exceeded("joint position", farthest, limits.joint_range, "rad")
     return None
 
 

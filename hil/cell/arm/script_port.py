@@ -4,16 +4,19 @@ from collections.abc import Sequence
 
 from drivers.protocol.primary_messages import Text
 from hil.cell.arm.box import ControlBox
-from hil.cell.arm.pose import Vector6, compose, inverse, of, vector6, vector_of
+from hil.cell.arm.force.access import ForceAccess
+from hil.cell.arm.pose import Vector3, Vector6, compose, inverse, of, vector6, vector_of
+from hil.cell.arm.safety import out_of_range
 
 
 class ScriptPort:
     """Implements `hil.cell.arm.port.RobotPort`; ValueError for an index or value out of range."""
 
-    __slots__ = ("_box",)
+    __slots__ = ("_box", "force")
 
     def __init__(self, box: ControlBox) -> None:
         self._box = box
+        self.force = ForceAccess(box)
 
     @property
     def period(self) -> int:
@@ -32,6 +35,15 @@ class ScriptPort:
     def input_boolean(self, index: int) -> bool:
         return self._box.registers.inputs.booleans[_index(index, 128)]
 
+    def written_integer(self, index: int) -> int:
+        return self._box.registers.outputs.integers[_index(index, 48)]
+
+    def written_float(self, index: int) -> float:
+        return self._box.registers.outputs.floats[_index(index, 48)]
+
+    def written_boolean(self, index: int) -> bool:
+        return self._box.registers.outputs.booleans[_index(index, 128)]
+
     def output_integer(self, index: int, value: int) -> None:
         if not -(2**31) <= value < 2**31:
             raise ValueError(f"an integer register holds 32 bits, found {value}")
@@ -45,6 +57,23 @@ class ScriptPort:
 
     def digital_input(self, bit: int) -> bool:
         return bool(self._box.signals.inputs >> _index(bit, 18) & 1)
+
+    def digital_output(self, bit: int) -> bool:
+        return bool(self._box.signals.outputs >> _index(bit, 18) & 1)
+
+    def analog_input(self, index: int) -> float:
+        return self._box.signals.analog_inputs[_index(index, 2)]
+
+    def analog_output(self, index: int) -> float:
+        return self._box.signals.analog_outputs[_index(index, 2)]
+
+    def set_analog_output(self, index: int, ratio: float) -> None:
+        signals = self._box.signals
+        voltage = bool(signals.analog_types >> (2 + _index(index, 2)) & 1)
+        signals.set_analog(index, ratio, voltage=voltage)
+
+    def set_tool_voltage(self, volts: int) -> None:
+        self._box.signals.tool_voltage = volts
 
     def set_digital_output(self, bit: int, on: bool) -> None:
         self._box.signals.set_output(_index(bit, 18), on)
@@ -70,8 +99,25 @@ class ScriptPort:
     def actual_tcp_speed(self) -> Vector6:
         return self._box.measured.twist
 
-    def tcp_force(self) -> Vector6:
-        return self._box.measured.force
+    def target_qdd(self) -> Vector6:
+        return self._box.servo.qdd
+
+    def target_tcp_speed(self) -> Vector6:
+        return self._box.target.twist
+
+    def joint_torques(self) -> Vector6:
+        rows = self.jacobian(self._box.measured.q)
+        wrench = self._box.estimate.wrench
+        a, b, c, d, e, f = (
+            sum(rows[i][j] * wrench[i] for i in range(6)) for j in range(6)
+        )  # J^T w
+        return (a, b, c, d, e, f)
+
+    def jacobian(self, q: Sequence[float]) -> tuple[Vector6, ...]:
+        return self._box.kinematics.jacobian(q, self._box.tool.pose)
+
+    def refusal(self, q: Sequence[float]) -> str | None:
+        return out_of_range(q, self._box.robot.safety)
 
     def tcp_offset(self) -> Vector6:
         return self._box.tool.offset
@@ -79,9 +125,17 @@ class ScriptPort:
     def set_tcp(self, pose: Vector6) -> None:
         self._box.tool.mount(vector6(pose))
 
-    def set_payload(self, mass: float, cog: tuple[float, float, float]) -> None:
-        self._box.tool.mass = mass
-        self._box.tool.centre_of_gravity = cog
+    def payload(self) -> tuple[float, Vector3, Vector6]:
+        tool = self._box.tool
+        return tool.mass, tool.centre_of_gravity, tool.inertia
+
+    def set_payload(self, mass: float, cog: Vector3, inertia: Vector6 | None = None) -> None:
+        tool = self._box.tool
+        tool.mass, tool.centre_of_gravity = mass, cog
+        tool.inertia = tool.inertia if inertia is None else inertia
+
+    def set_gravity(self, gravity: Vector3) -> None:
+        self._box.estimate.gravity = gravity
 
     def forward_kin(self, q: Sequence[float], tcp: Vector6 | None) -> Vector6:
         tool = self._box.tool.pose if tcp is None else of(tcp)
@@ -98,6 +152,15 @@ class ScriptPort:
     def servo_q(self, q: Sequence[float]) -> None:
         a, b, c, d, e, f = q
         self._box.servo.command((float(a), float(b), float(c), float(d), float(e), float(f)))
+
+    def coast(self, points: Sequence[Vector6]) -> None:
+        self._box.servo.coast(points)
+
+    def coasting(self) -> tuple[Vector6, ...]:
+        return self._box.servo.coasting
+
+    def speed_fraction(self) -> float:
+        return self._box.signals.speed_fraction
 
     def brake(self, deceleration: float) -> bool:
         return self._box.servo.brake(deceleration)

@@ -20,6 +20,7 @@ class Signals:
 
     __slots__ = (
         "analog_inputs", "analog_outputs", "analog_types", "inputs", "outputs", "speed_fraction",
+        "tool_voltage",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -29,6 +30,7 @@ class Signals:
         self.analog_outputs = [0.0, 0.0]
         self.analog_types = 0b1111
         self.speed_fraction = 1.0
+        self.tool_voltage = 0
 
     def set_input(self, bit: int, on: bool) -> None:
         self.inputs = self.inputs | 1 << bit if on else self.inputs & ~(1 << bit)

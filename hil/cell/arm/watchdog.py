@@ -32,6 +32,11 @@ class Watchdog:
         limit = round(NS / minimum_frequency)
         self._watched[name] = (limit, Action(action.lower()), t + limit)
 
+    @property
+    def idle(self) -> bool:
+        """Whether no input is expected."""
+        return not self._watched
+
     def clear(self) -> None:
         """Watch nothing: the program that asked has ended."""
         self._watched.clear()

@@ -7,7 +7,7 @@ assigning an element makes a new list and rebinds the name.
 from collections.abc import Generator
 from typing import Final, TypeAlias
 
-from hil.cell.arm.pose import Vector6
+from hil.cell.arm.pose import Vector3, Vector6
 from hil.cell.arm.urscript.errors import ScriptError
 
 
@@ -78,6 +78,15 @@ def sequence(value: Value) -> tuple[Value, ...]:
     if isinstance(value, List | Pose):
         return value
     raise expected("a list", value)
+
+
+def vector3(value: Value) -> Vector3:
+    """Three numbers of a list."""
+    elements = sequence(value)
+    if len(elements) != 3:
+        raise ScriptError(f"three numbers were expected, found {len(elements)}")
+    x, y, z = elements
+    return (number(x), number(y), number(z))
 
 
 def vector6(value: Value) -> Vector6:

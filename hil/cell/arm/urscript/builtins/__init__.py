@@ -11,19 +11,24 @@ from typing import Final
 
 from hil.cell.arm.port import RobotPort
 from hil.cell.arm.urscript.builtins.configuration import Configuration
+from hil.cell.arm.urscript.builtins.drive import Drive
+from hil.cell.arm.urscript.builtins.dynamics import Dynamics
+from hil.cell.arm.urscript.builtins.forces import Forces
 from hil.cell.arm.urscript.builtins.kinematics import Kinematics
 from hil.cell.arm.urscript.builtins.maths import Maths
 from hil.cell.arm.urscript.builtins.motion import Motion
 from hil.cell.arm.urscript.builtins.poses import Poses
 from hil.cell.arm.urscript.builtins.queries import Queries
 from hil.cell.arm.urscript.builtins.registers import Registers
+from hil.cell.arm.urscript.builtins.servoing import Servoing
 from hil.cell.arm.urscript.builtins.speed import Speed
 from hil.cell.arm.urscript.builtins.strings import Strings
 from hil.cell.arm.urscript.builtins.timing import Timing
 from hil.cell.arm.urscript.symbols import Builtin, builtin
 
 _TOPICS: Final = (
-    Configuration, Kinematics, Maths, Motion, Poses, Queries, Registers, Speed, Strings, Timing,
+    Configuration, Dynamics, Forces, Kinematics, Maths, Motion, Poses, Queries, Registers, Servoing,
+    Speed, Strings, Timing,
 )  # fmt: skip
 
 
@@ -47,8 +52,10 @@ def _described(name: str, function: Callable[..., object]) -> Builtin:
 
 def bind(port: RobotPort, claim: Callable[[], None]) -> dict[str, object]:
     """Every builtin by its compiled name, acting on `port`; `claim` takes the robot for a cycle."""
+    drive = Drive(port, claim)
     topics: tuple[object, ...] = (
-        Configuration(port), Kinematics(port), Maths(), Motion(port, claim), Poses(),
-        Queries(port), Registers(port), Speed(port, claim), Strings(), Timing(port),
+        Configuration(port), Dynamics(), Forces(port), Kinematics(port), Maths(), Motion(drive),
+        Poses(), Queries(port), Registers(port), Servoing(drive), Speed(drive), Strings(),
+        Timing(port),
     )  # fmt: skip
     return {builtin(name): getattr(topic, name) for topic in topics for name in _names(type(topic))}

@@ -4,9 +4,19 @@ from typing import Final
 
 from hil.cell.arm.port import RobotPort
 from hil.cell.arm.urscript.errors import ScriptError
-from hil.cell.arm.urscript.values import List, Value, number, pose6, sequence, text
+from hil.cell.arm.urscript.values import (
+    List,
+    Value,
+    integer,
+    number,
+    pose6,
+    text,
+    vector3,
+    vector6,
+)  # fmt: skip
 
 _ORIGIN: Final = List((0.0, 0.0, 0.0))
+_TOOL_VOLTAGES: Final = (0, 12, 24)
 _ACTIONS: Final = ("stop", "pause", "ignore")
 
 
@@ -19,8 +29,39 @@ class Configuration:
 
     def set_payload(self, m: Value, cog: Value = _ORIGIN) -> None:
         """kg, and m in the flange's frame."""
-        x, y, z = self._three(cog)
-        self._port.set_payload(number(m), (x, y, z))
+        self._port.set_payload(number(m), vector3(cog))
+
+    def set_target_payload(
+        self,
+        m: Value,
+        cog: Value,
+        inertia: Value = "kept",
+        transition_time: Value = 0.0,
+    ) -> None:
+        """The change is immediate: payload moves nothing here, so there is nothing to smooth."""
+        number(transition_time)
+        moments = None if inertia == "kept" else vector6(inertia)
+        self._port.set_payload(number(m), vector3(cog), moments)
+
+    def get_target_payload(self) -> float:
+        """In kg."""
+        return self._port.payload()[0]
+
+    def get_target_payload_cog(self) -> List:
+        return List(self._port.payload()[1])
+
+    def get_target_payload_inertia(self) -> List:
+        """Ixx, Iyy, Izz, Ixy, Ixz, Iyz, kg·m²."""
+        return List(self._port.payload()[2])
+
+    def set_gravity(self, d: Value) -> None:
+        """m/s², against gravity: [0, 0, 9.82] for an arm that stands upright."""
+        self._port.set_gravity(vector3(d))
+
+    def set_tool_voltage(self, voltage: Value) -> None:
+        if integer(voltage) not in _TOOL_VOLTAGES:
+            raise ScriptError(f"tool voltage {voltage} is none of {_TOOL_VOLTAGES}")
+        self._port.set_tool_voltage(integer(voltage))
 
     def rtde_set_watchdog(
         self, variable_name: Value, min_frequency: Value, action: Value = "pause"
@@ -31,10 +72,3 @@ class Configuration:
 
     def protective_stop(self) -> None:
         self._port.protective_stop("protective_stop() in the program")
-
-    @staticmethod
-    def _three(value: Value) -> list[float]:
-        elements = sequence(value)
-        if len(elements) != 3:
-            raise ScriptError(f"three numbers were expected, found {len(elements)}")
-        return [number(x) for x in elements]

@@ -45,6 +45,16 @@ class Kinematics:
             return False
         return True
 
+    def is_within_safety_limits(self, position: Value) -> bool:
+        """Of a pose, or of joint angles: within reach and joint range; no planes are modelled."""
+        if not isinstance(position, Pose):
+            return self._port.refusal(vector6(position)) is None
+        try:
+            q = self._port.inverse_kin(pose6(position), None, None)
+        except ValueError:
+            return False
+        return self._port.refusal(q) is None
+
     def get_actual_tool_flange_pose(self) -> Pose:
         return Pose(self._port.forward_kin(self._port.actual_q(), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)))
 

@@ -1,112 +1,174 @@
-"""Builtins that move along a path: servoj, movej, movel, movep."""
+"""Builtins that move along a path: movej, movel, movep, movec and the optimo pair."""
 
-from collections.abc import Callable
-from math import hypot
-from typing import Final
+from collections.abc import Callable, Iterator
+from itertools import count
+from math import dist, hypot, inf
+from typing import Final, NamedTuple
 
 from hil.cell.arm import pose as rigid
-from hil.cell.arm.port import RobotPort
 from hil.cell.arm.pose import Vector6
+from hil.cell.arm.urscript.builtins.arc import arc
+from hil.cell.arm.urscript.builtins.drive import Drive, along
 from hil.cell.arm.urscript.builtins.poses import between
-from hil.cell.arm.urscript.builtins.timing import cycles
 from hil.cell.arm.urscript.builtins.trapezoid import Trapezoid, lasting, limited
 from hil.cell.arm.urscript.errors import ScriptError
-from hil.cell.arm.urscript.values import Blocking, Pose, Value, number, pose6, vector6
+from hil.cell.arm.urscript.values import Blocking, Pose, Value, integer, number, pose6, vector6
 
-_CB3_PERIOD: Final = 0.008
+_INSTANT: Final = 1e-6
+"""s that do not make another cycle."""
+
+_JOINT_LIMITS: Final = (40.0, 3.14)
+_TOOL_LIMITS: Final = (10.0, 1.0)
+"""Acceleration and speed that optimovej and optimovel take fractions of; assumed."""
+
+
+class Path(NamedTuple):
+    """q_at: joint angles, rad, by part of the way. metres: how far the TCP goes."""
+
+    q_at: Callable[[float], Vector6]
+    metres: float
 
 
 class Motion:
-    """Set-points go straight to the servo: blends, `lookahead_time` and `gain` are not modelled."""
+    """Speed is trapezoidal, the speed slider slows it, and a blend radius rounds the corner.
 
-    def __init__(self, port: RobotPort, claim: Callable[[], None]) -> None:
-        self._port = port
-        self._claim = claim
+    A blended move ends where it slows down within the radius. The next one starts at the corner
+    and the rest of the old one is added to it, so that on a straight line the speed stays.
+    """
 
-    def servoj(  # noqa: PLR0917  # the manual's order
-        self,
-        q: Value,
-        a: Value = 0.0,
-        v: Value = 0.0,
-        t: Value = _CB3_PERIOD,
-        lookahead_time: Value = 0.1,
-        gain: Value = 300.0,
-    ) -> Blocking:
-        """Be at q (rad) after t (s); when that is several cycles, in equal steps."""
-        goal = vector6(q)
-        count = cycles(self._port, number(t))
-        if count == 1:
-            self._command(goal)
-            yield
-            return
-        start = self._port.target_q()
-        for i in range(1, count + 1):
-            self._command(_along(start, goal, i / count))
-            yield
+    def __init__(self, drive: Drive) -> None:
+        self._drive = drive
 
     def movej(
         self, q: Value, a: Value = 1.4, v: Value = 1.05, t: Value = 0.0, r: Value = 0.0
     ) -> Blocking:
         """To joints or a pose; a (rad/s^2) and v (rad/s) hold for the joint that goes farthest."""
-        start = self._port.target_q()
-        goal = self._inverse(pose6(q), start) if isinstance(q, Pose) else vector6(q)
+        start = self._start()
+        goal = self._drive.inverse(pose6(q), start) if isinstance(q, Pose) else vector6(q)
         way = max(abs(b - a) for a, b in zip(start, goal, strict=True))
-        profile = _profile(way, v, a, t)
-        yield from self._follow(profile, lambda fraction: _along(start, goal, fraction))
+        yield from self._follow(self._joint_path(start, goal), _profile(way, v, a, t), number(r))
 
     def movel(
         self, pose: Value, a: Value = 1.2, v: Value = 0.25, t: Value = 0.0, r: Value = 0.0
     ) -> Blocking:
         """On a straight line of the TCP; a and v hold for m or rad, whichever is more."""
-        start = self._port.target_tcp_pose()
-        goal = pose6(pose) if isinstance(pose, Pose) else self._forward(vector6(pose))
+        near = self._start()
+        start, goal = self._drive.forward(near), self._pose(pose)
+        self._drive.waypoint = goal
+        path = self._tool_path(lambda fraction: between(start, goal, fraction), near)
         profile = _profile(_way(start, goal), v, a, t)
-        near = self._port.target_q()
-
-        def joints(fraction: float) -> Vector6:
-            nonlocal near
-            near = self._inverse(between(start, goal, fraction), near)
-            return near
-
-        yield from self._follow(profile, joints)
+        yield from self._follow(Path(path, _distance(start, goal)), profile, number(r))
 
     def movep(self, pose: Value, a: Value = 1.2, v: Value = 0.25, r: Value = 0.0) -> Blocking:
-        """As movel: without blends the two are the same."""
-        yield from self.movel(pose, a, v)
+        """As movel: blends are not circles of constant speed here."""
+        yield from self.movel(pose, a, v, 0.0, r)
 
-    def _follow(self, profile: Trapezoid, q_at: Callable[[float], Vector6]) -> Blocking:
-        count = cycles(self._port, profile.duration)
-        for i in range(1, count):
-            self._command(q_at(profile.fraction(i * self._port.period * 1e-9)))
+    def movec(  # noqa: PLR0917  # the manual's order
+        self,
+        pose_via: Value,
+        pose_to: Value,
+        a: Value = 1.2,
+        v: Value = 0.25,
+        r: Value = 0.0,
+        mode: Value = 0,
+    ) -> Blocking:
+        """On a circle; mode 0 turns the tool to pose_to's orientation, 1 along with the circle."""
+        near = self._start()
+        start, goal = self._drive.forward(near), self._pose(pose_to)
+        self._drive.waypoint = goal
+        circle = arc(start, self._pose(pose_via), goal, fixed=integer(mode) == 1)
+        profile = _profile(circle.length, v, a, 0.0)
+        path = Path(self._tool_path(circle.pose, near), circle.length)
+        yield from self._follow(path, profile, number(r))
+
+    def optimovej(self, q: Value, a: Value = 0.3, v: Value = 0.3, r: Value = 0.0) -> Blocking:
+        """As movej, with fractions of the robot's limits."""
+        most_a, most_v = _JOINT_LIMITS
+        yield from self.movej(q, number(a) * most_a, number(v) * most_v, 0.0, r)
+
+    def optimovel(self, pose: Value, a: Value = 0.3, v: Value = 0.3, r: Value = 0.0) -> Blocking:
+        """As movel, with fractions of the robot's limits."""
+        most_a, most_v = _TOOL_LIMITS
+        yield from self.movel(pose, number(a) * most_a, number(v) * most_v, 0.0, r)
+
+    def get_target_waypoint(self) -> Pose:
+        """The TCP pose that the last move aims at; before any, the target."""
+        return Pose(self._drive.waypoint or self._drive.port.target_tcp_pose())
+
+    def _start(self) -> Vector6:
+        """Where the next path begins: at the corner, if the last move was blended."""
+        tail = self._drive.port.coasting()
+        return tail[-1] if tail else self._drive.port.target_q()
+
+    def _pose(self, value: Value) -> Vector6:
+        return pose6(value) if isinstance(value, Pose) else self._drive.forward(vector6(value))
+
+    def _joint_path(self, start: Vector6, goal: Vector6) -> Path:
+        end = self._drive.waypoint = self._drive.forward(goal)
+        metres = _distance(self._drive.forward(start), end)
+        return Path(lambda fraction: along(start, goal, fraction), metres)
+
+    def _tool_path(
+        self, pose_at: Callable[[float], Vector6], near: Vector6
+    ) -> Callable[[float], Vector6]:
+        def joints(fraction: float) -> Vector6:
+            nonlocal near
+            near = self._drive.inverse(pose_at(fraction), near)
+            return near
+
+        return joints
+
+    def _follow(self, path: Path, profile: Trapezoid, radius: float) -> Blocking:
+        """Go along the path; with a radius, leave the rest of it to the servo."""
+        drive, port = self._drive, self._drive.port
+        tail = port.coasting()
+        leave = profile.duration - profile.left(radius / path.metres) if path.metres else inf
+        t = 0.0
+        for cycle in count():
+            step = drive.period * port.speed_fraction()
+            t += step
+            if radius > 0.0 and step > 0.0 and t >= leave:
+                rest = list(_times(t, step, profile.duration, len(tail) - cycle))
+                points = [path.q_at(profile.fraction(then)) for then in rest]
+                port.coast([_rounded(q, tail, cycle + i) for i, q in enumerate(points)])
+                return
+            done = t >= profile.duration - _INSTANT
+            q = path.q_at(1.0 if done else profile.fraction(t))
+            drive.to(_rounded(q, tail, cycle))
             yield
-        self._command(q_at(1.0))
-        yield
+            if done and cycle + 1 >= len(tail):
+                return
 
-    def _command(self, q: Vector6) -> None:
-        self._claim()
-        self._port.servo_q(q)
 
-    def _forward(self, q: Vector6) -> Vector6:
-        return self._port.forward_kin(q, None)
+def _times(t: float, step: float, end: float, at_least: int) -> Iterator[float]:
+    """The cycles from t to the end of a profile, s, and not fewer than `at_least`."""
+    for i in count():
+        yield t + i * step
+        if t + i * step >= end - _INSTANT and i + 1 >= at_least:
+            return
 
-    def _inverse(self, pose: Vector6, near: Vector6) -> Vector6:
-        try:
-            return self._port.inverse_kin(pose, near, None)
-        except ValueError as error:
-            raise ScriptError(f"inverse kinematics: {error}") from error
+
+def _rounded(q: Vector6, tail: tuple[Vector6, ...], cycle: int) -> Vector6:
+    """`q` and what the move before has left to go to the corner in this cycle."""
+    if cycle >= len(tail):
+        return q
+    a, b, c, d, e, f = (x + y - z for x, y, z in zip(q, tail[cycle], tail[-1], strict=True))
+    return (a, b, c, d, e, f)
 
 
 def _profile(way: float, v: Value, a: Value, t: Value) -> Trapezoid:
     if number(t) > 0.0:
         return lasting(number(t))
-    if not (number(v) > 0.0 and number(a) > 0.0):
-        raise ScriptError(f"speed {number(v)} and acceleration {number(a)} must be above 0")
+    if number(t) < 0.0 or not (number(v) > 0.0 and number(a) > 0.0):
+        raise ScriptError(
+            f"speed {number(v)} and acceleration {number(a)} must be above 0, time {number(t)} not "
+            "below"
+        )
     return limited(way, number(v), number(a))
 
 
-def _along(start: Vector6, goal: Vector6, fraction: float) -> Vector6:
-    a, b, c, d, e, f = (p + (q - p) * fraction for p, q in zip(start, goal, strict=True))
-    return (a, b, c, d, e, f)
+def _distance(start: Vector6, goal: Vector6) -> float:
+    return dist(start[:3], goal[:3])
 
 
 def _way(start: Vector6, goal: Vector6) -> float:

@@ -3,7 +3,10 @@
 from typing import Final
 
 from hil.cell.arm.port import RobotPort
-from hil.cell.arm.urscript.values import List, Pose
+from hil.cell.arm.urscript.values import List, Pose, Value, vector6
+
+_STEP: Final = 1e-3
+"""s over which a Jacobian is differentiated."""
 
 STEADY: Final = 1e-3
 """rad/s below which a joint counts as standing; assumed."""
@@ -38,13 +41,30 @@ class Queries:
     def get_actual_tcp_speed(self) -> List:
         return List(self._port.actual_tcp_speed())
 
-    def get_tcp_force(self) -> List:
-        return List(self._port.tcp_force())
+    def get_target_tcp_speed(self) -> List:
+        return List(self._port.target_tcp_speed())
 
-    def force(self) -> float:
-        """Magnitude of the force part of get_tcp_force(), N."""
-        x, y, z, *_ = self._port.tcp_force()
-        return float((x * x + y * y + z * z) ** 0.5)
+    def get_target_joint_accelerations(self) -> List:
+        return List(self._port.target_qdd())
+
+    def get_joint_torques(self) -> List:
+        """N·m, of contact alone."""
+        return List(self._port.joint_torques())
+
+    def get_jacobian(self, q: Value = "current") -> List:
+        joints = self._port.actual_q() if q == "current" else vector6(q)
+        return List(map(List, self._port.jacobian(joints)))
+
+    def get_jacobian_time_derivative(self, q: Value = "current", qd: Value = "current") -> List:
+        """Along the motion qd, by differences."""
+        joints = self._port.actual_q() if q == "current" else vector6(q)
+        speeds = self._port.actual_qd() if qd == "current" else vector6(qd)
+        before, after = (
+            self._port.jacobian([a + k * v for a, v in zip(joints, speeds, strict=True)])
+            for k in (-_STEP, _STEP)
+        )
+        rows = zip(before, after, strict=True)
+        return List(List((b - a) / (2 * _STEP) for a, b in zip(*row, strict=True)) for row in rows)
 
     def get_tcp_offset(self) -> Pose:
         return Pose(self._port.tcp_offset())

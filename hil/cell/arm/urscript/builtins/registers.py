@@ -8,6 +8,7 @@ from hil.cell.arm.urscript.values import Value, boolean, integer, number
 
 NUMBERS: Final = 48
 BITS: Final = 128
+ANALOG: Final = 2
 """How many general purpose registers of a kind there are (RTDE Guide)."""
 
 _STANDARD, _CONFIGURABLE, _TOOL = (0, 8), (8, 8), (16, 2)
@@ -26,6 +27,15 @@ class Registers:
 
     def read_input_boolean_register(self, address: Value) -> bool:
         return self._port.input_boolean(_address(address, BITS))
+
+    def read_output_integer_register(self, address: Value) -> int:
+        return self._port.written_integer(_address(address, NUMBERS))
+
+    def read_output_float_register(self, address: Value) -> float:
+        return self._port.written_float(_address(address, NUMBERS))
+
+    def read_output_boolean_register(self, address: Value) -> bool:
+        return self._port.written_boolean(_address(address, BITS))
 
     def write_output_integer_register(self, address: Value, value: Value) -> None:
         self._port.output_integer(_address(address, NUMBERS), integer(value))
@@ -54,9 +64,34 @@ class Registers:
     def set_tool_digital_out(self, n: Value, b: Value) -> None:
         self._port.set_digital_output(_bit(n, _TOOL), boolean(b))
 
+    def get_standard_digital_out(self, n: Value) -> bool:
+        return self._port.digital_output(_bit(n, _STANDARD))
+
+    def get_configurable_digital_out(self, n: Value) -> bool:
+        return self._port.digital_output(_bit(n, _CONFIGURABLE))
+
+    def get_tool_digital_out(self, n: Value) -> bool:
+        return self._port.digital_output(_bit(n, _TOOL))
+
+    def get_standard_analog_in(self, n: Value) -> float:
+        """V or A."""
+        return self._port.analog_input(_address(n, ANALOG))
+
+    def get_standard_analog_out(self, n: Value) -> float:
+        """V or A."""
+        return self._port.analog_output(_address(n, ANALOG))
+
+    def set_standard_analog_out(self, n: Value, f: Value) -> None:
+        """Share of the output's range, 0..1."""
+        self._port.set_analog_output(_address(n, ANALOG), number(f))
+
     def get_digital_in(self, n: Value) -> bool:
         """Deprecated: 0-7 standard, 8-9 tool."""
         return self._port.digital_input(_deprecated_bit(n))
+
+    def get_digital_out(self, n: Value) -> bool:
+        """Deprecated: 0-7 standard, 8-9 tool."""
+        return self._port.digital_output(_deprecated_bit(n))
 
     def set_digital_out(self, n: Value, b: Value) -> None:
         """Deprecated: 0-7 standard, 8-9 tool."""

@@ -1,12 +1,11 @@
 """Builtins that command a speed: speedj, speedl, stopj, stopl."""
 
-from collections.abc import Callable
 from math import hypot
 from typing import Final
 
 from hil.cell.arm import pose as rigid
-from hil.cell.arm.port import RobotPort
 from hil.cell.arm.pose import ZERO6, Vector6
+from hil.cell.arm.urscript.builtins.drive import Drive
 from hil.cell.arm.urscript.builtins.timing import cycles
 from hil.cell.arm.urscript.errors import ScriptError
 from hil.cell.arm.urscript.values import Blocking, Value, number, vector6
@@ -18,9 +17,9 @@ _AT_REST: Final = 1e-4
 class Speed:
     """Speeds go on from the last cycle's and change by no more than the acceleration allows."""
 
-    def __init__(self, port: RobotPort, claim: Callable[[], None]) -> None:
-        self._port = port
-        self._claim = claim
+    def __init__(self, drive: Drive) -> None:
+        self._drive = drive
+        self._port = drive.port
         self._twist = ZERO6
         self._twist_end = -1
 
@@ -30,8 +29,8 @@ class Speed:
         left = cycles(self._port, number(t)) if number(t) > 0.0 else -1
         speed = self._port.target_qd()
         while left != 0:
-            speed = _approach(speed, goal, number(a) * self._period)
-            self._command(_moved(self._port.target_q(), speed, self._period))
+            speed = _approach(speed, goal, number(a) * self._drive.period)
+            self._drive.to(_moved(self._port.target_q(), speed, self._drive.period))
             yield
             left = 0 if left < 0 and speed == goal else left - 1
 
@@ -41,15 +40,15 @@ class Speed:
         left = cycles(self._port, number(t)) if number(t) > 0.0 else -1
         speed = self._twist if self._twist_end == self._port.t else ZERO6
         while left != 0:
-            speed = _approach(speed, goal, number(a) * self._period)
-            self._command(self._joints(speed))
+            speed = _approach(speed, goal, number(a) * self._drive.period)
+            self._drive.to(self._joints(speed))
             self._twist, self._twist_end = speed, self._port.t + self._port.period
             yield
             left = 0 if left < 0 and speed == goal else left - 1
 
     def stopj(self, a: Value = 2.0) -> Blocking:
         """Slow the joints at a (rad/s^2) until they stand."""
-        yield from self._brake(number(a))
+        yield from self._drive.brake(number(a))
 
     def stopl(self, a: Value = 20.0, aRot: Value = "a") -> Blocking:
         """Slow the TCP at a (m/s^2): all joints slow together, in the ratio they move now."""
@@ -57,35 +56,15 @@ class Speed:
         tcp = hypot(x, y, z)
         joints = max(abs(v) for v in self._port.target_qd())
         ratio = joints / tcp if tcp > _AT_REST else 1.0
-        yield from self._brake(number(a) * ratio)
-
-    def _brake(self, deceleration: float) -> Blocking:
-        if deceleration <= 0.0:
-            raise ScriptError(f"deceleration {deceleration} must be above 0")
-        stands = False
-        while not stands:
-            self._claim()
-            stands = self._port.brake(deceleration)
-            yield
-
-    @property
-    def _period(self) -> float:
-        return self._port.period * 1e-9
-
-    def _command(self, q: Vector6) -> None:
-        self._claim()
-        self._port.servo_q(q)
+        yield from self._drive.brake(number(a) * ratio)
 
     def _joints(self, twist: Vector6) -> Vector6:
         """The joint set-point one period of `twist` away from the target pose."""
-        x, y, z, rx, ry, rz = (v * self._period for v in twist)
+        x, y, z, rx, ry, rz = (v * self._drive.period for v in twist)
         now = rigid.of(self._port.target_tcp_pose())
         turned = rigid.product(rigid.rotation_of(rx, ry, rz), now.rotation)
         after = rigid.vector_of(rigid.shifted(rigid.Pose(now.position, turned), (x, y, z)))
-        try:
-            return self._port.inverse_kin(after, None, None)
-        except ValueError as error:
-            raise ScriptError(f"inverse kinematics: {error}") from error
+        return self._drive.inverse(after, None)
 
 
 def _approach(speed: Vector6, goal: Vector6, step: float) -> Vector6:

@@ -23,6 +23,12 @@ class Trapezoid:
             return 1.0 - 0.5 * speed * left * left / self.ramp
         return speed * (t - 0.5 * self.ramp)
 
+    def left(self, share: float) -> float:
+        """Time before the end, within the last ramp, at which `share` of the way is to be done."""
+        if self.ramp <= 0.0:
+            return 0.0
+        return min(self.ramp, sqrt(2.0 * share * self.ramp * (self.duration - self.ramp)))
+
 
 def limited(way: float, speed: float, acceleration: float) -> Trapezoid:
     """The fastest profile within the limits; a short way never reaches `speed`."""
