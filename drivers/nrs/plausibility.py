@@ -30,11 +30,11 @@ OFF: Final = Plausible(0, 0)
 class Plausibility:
     """Watches every sample as the wire brought it, and remembers the longest runs."""
 
-    __slots__ = ("_flat", "_last", "_limits", "_run", "_zeros")
+    __slots__ = ("_flat", "_last", "_limits", "_run", "_told", "_zeros")
 
     def __init__(self, limits: Plausible) -> None:
-        if min(limits) < 0 or limits.flat == 1:
-            raise ValueError(f"{limits}: runs are 0 for off, or so many samples, flat at least 2")
+        if min(limits) < 0 or 1 in limits:
+            raise ValueError(f"{limits}: runs are 0 for off, or at least 2 samples")
         self._limits = limits
         self.restart()
 
@@ -42,13 +42,17 @@ class Plausibility:
         """Forget what was seen, as after a start."""
         self._last: Vector6 | None = None
         self._run = self._flat = self._zeros = 0
+        self._told = False
 
     def watch(self, wrench: Vector6) -> None:
         """Take the next sample."""
         if wrench != self._last:
-            self._last, self._run = wrench, 1
+            if self._told:
+                self._flat = self._zeros = 0
+            self._last, self._run, self._told = wrench, 1, False
             return
         self._run += 1
+        self._told = False
         self._flat = max(self._flat, self._run)
         if wrench == ZERO:
             self._zeros = max(self._zeros, self._run)
@@ -60,6 +64,8 @@ class Plausibility:
             return
         if self._run == 1:  # over: told once
             self._flat = self._zeros = 0
+        else:
+            self._told = True
         limits = self._limits
         if 0 < limits.blank <= zeros:
             raise BlankSignalError(

@@ -52,9 +52,7 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
         tap=tap,
     )
     jaws = rig.robot.jaws
-    return NearSide(
-        arm, wrist_sensor(rig, doors), DigitalGripper(arm, jaws.output, jaws.sensed)
-    )
+    return NearSide(arm, wrist_sensor(rig, doors), DigitalGripper(arm, jaws.output, jaws.sensed))
 
 
 @contextmanager

@@ -1,24 +1,31 @@
 """Every implementation of each interface, each with what its suite needs to drive it."""
 
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from drivers.nrs.can_sensor import CanSensor
+from drivers.nrs.tcp_sensor import TcpSensor
 from drivers.ur.gripper import DigitalGripper
 from hil.cell.arm.kinematics import Kinematics
 from hil.cell.assemble import build_bench
 from hil.cell.geometry import TaskGeometry
 from hil.cell.rig import parse
+from hil.cell.rig.task import Link
 from hil.cell.sensor.gateway import open_gateway
+from hil.cell.sensor.tcp_port import TcpPort
 from hil_fixtures.testbed import open_testbed
 
 SERIES = {
     "cb3": "model: ur5, series: cb3, version: 3.15.8.106339",
     "e-series": "model: ur5e, series: e-series, version: 5.11.0.108249",
 }
+
+
+ON_TCP = "sensor: {boot_time: 8 ms, wire: tcp, tcp: {port: 0}}"
 
 
 def rig_of(series, more=""):
@@ -144,8 +151,46 @@ class BusSensorCell:
         return [frame for _, frame in self._bench.take_from_bus(self._bench.t)]
 
 
+class StreamSensorCell:
+    """The TCP driver against a bench in this process, over a real TCP connection."""
+
+    noise = (0.05, 0.0008)
+
+    def __init__(self, rig):
+        self._bench = build_bench(rig, 1)
+        self._port = TcpPort(
+            self._bench.node, rig.sensor, Link(), np.random.default_rng(1), self._refuse
+        )
+        self.sensor = TcpSensor(*self._port.address)
+
+    @property
+    def t(self):
+        return self._bench.t
+
+    def step(self):
+        self.silence()
+        self._port.flush(self.t)
+
+    def silence(self):
+        """A period in which the network stalls: a stream loses nothing, it comes later."""
+        self._port.take(self.t, self.t + self._bench.period)
+        self._bench.tick()
+        self._port.publish(self.t)
+
+    def close(self):
+        self._port.close()
+
+    @staticmethod
+    def _refuse(reason):
+        pytest.fail(reason)
+
+
 @contextmanager
 def sensor_cell(kind, fakes):
+    if kind == "tcp":
+        with closing(StreamSensorCell(rig_of("cb3", ON_TCP))) as cell:
+            yield cell
+        return
     if kind == "fake":
         yield FakeSensorCell(fakes, (0.2, -0.1, 5.9, 0.0, 0.01, 0.0))
         return
@@ -159,7 +204,14 @@ def sensor_cell(kind, fakes):
 
 
 @pytest.fixture(
-    params=["fake", "virtual classic", "virtual fd", "udp_multicast classic", "udp_multicast fd"]
+    params=[
+        "fake",
+        "virtual classic",
+        "virtual fd",
+        "udp_multicast classic",
+        "udp_multicast fd",
+        "tcp",
+    ]
 )
 def cell(request, fakes):
     with sensor_cell(request.param, fakes) as cell:

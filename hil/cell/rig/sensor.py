@@ -70,7 +70,7 @@ class Sensor(Section):
     blank_samples: int = Field(default=5, ge=0)
     """So many samples of zeros in a row are a dead sensor to the driver; 0 switches it off."""
 
-    @field_validator("flat_samples")
+    @field_validator("flat_samples", "blank_samples")
     @classmethod
     def _two_make_a_run(cls, samples: int) -> int:
         if samples == 1:
