@@ -15,6 +15,7 @@ MS: Final = 1_000_000
 
 BOOT_TIME: Final = 1000 * MS  # assumed; a real arm takes several seconds
 BRAKE_TIME: Final = 800 * MS  # assumed: six brakes released one after another
+RELEASE_TIME: Final = 200 * MS  # assumed, from the raw unlock command to the end of the stop
 UNLOCK_DELAY: Final = 5000 * MS
 """A protective stop can be unlocked 5 s after it began (so says the dashboard's own reply)."""
 
@@ -104,7 +105,7 @@ class Modes:
     """The three machines, stepped by one stream of events and by bench time."""
 
     __slots__ = (
-        "_brakes_wanted", "_due", "_stopped_at", "_unlock_wanted", "joint_modes", "program",
+        "_brakes_wanted", "_due", "_stopped_at", "_unlock_at", "joint_modes", "program",
         "robot", "robot_bits", "safety", "safety_bits",
     )  # fmt: skip
 
@@ -115,7 +116,7 @@ class Modes:
         self._due: tuple[int, Event] | None = None
         self._brakes_wanted = False
         self._stopped_at = 0
-        self._unlock_wanted = False
+        self._unlock_at: int | None = None
         self._refresh()
 
     def post(self, event: Event, t: int) -> bool:
@@ -142,13 +143,17 @@ class Modes:
             due, event = self._due
             self._due = None
             self.post(event, due)
-        if self._unlock_wanted and self.unlockable(t):
-            self._unlock_wanted = False
+        if self._unlock_at is not None and t >= self._unlock_at:
+            self._unlock_at = None
             self.post(Event.UNLOCK, t)
 
-    def unlock_when_allowed(self) -> None:
-        """Unlock the protective stop, if there is one, as soon as it is old enough."""
-        self._unlock_wanted = self.safety is SafetyMode.PROTECTIVE_STOP
+    def unlock_soon(self, t: int) -> None:
+        """Unlock a protective stop, however young, as the primary port's raw command does.
+
+        The rule of 5 s is the dashboard's alone: UR's client library unlocks over the primary port
+        within a second of the stop, and waits 5 s at most.
+        """
+        self._unlock_at = t + RELEASE_TIME
 
     def unlockable(self, t: int) -> bool:
         """Whether a protective stop, if there is one, is old enough to be unlocked."""

@@ -95,8 +95,7 @@ COMMANDS: Final[Mapping[str, Callable[[ArmController], object]]] = MappingProxyT
         "power on": _posts(Event.POWER_ON),
         "power off": _posts(Event.POWER_OFF),
         "set robotmode run": _posts(Event.BRAKE_RELEASE),
-        # UR's client asks once, at once, and waits: the wish is kept until 5 s have passed.
-        "set unlock protective stop": lambda arm: arm.box.modes.unlock_when_allowed(),
+        "set unlock protective stop": lambda arm: arm.box.modes.unlock_soon(arm.box.t),
         "stop program": lambda arm: arm.programs.stop(),
     }
 )

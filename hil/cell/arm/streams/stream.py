@@ -55,16 +55,23 @@ class PrimaryStream:
         self._messages = box.announcer.subscribe()
 
     def publish(self, step: int) -> bytes:
-        return self._news() + self._states.publish(step)
+        """Messages first; a change of the safety mode brings its state with it.
+
+        UR's client judges by the state whether an unlock is over, so a state of up to 0.1 s ago
+        must not contradict a stop that it has been told of.
+        """
+        changed = self._box.modes.safety is not self._safety
+        if changed:
+            self._safety = self._box.modes.safety
+            self._messages.appendleft((self._box.t, SafetyModeChange(self._safety)))
+        states = self._states.publish(step)
+        return self._news() + (states or (state(self._box) if changed else b""))
 
     def close(self) -> None:
         self._box.announcer.unsubscribe(self._messages)
 
     def _news(self) -> bytes:
-        safety, messages = self._box.modes.safety, self._messages
-        if safety is not self._safety:
-            self._safety = safety
-            messages.appendleft((self._box.t, SafetyModeChange(safety)))
+        messages = self._messages
         if not messages:
             return b""
         news = b"".join(encode_message(message, t) for t, message in messages)
