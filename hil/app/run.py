@@ -22,6 +22,7 @@ from hil.app.inline import InlineCell
 from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
 from hil.app.policy import policy
 from hil.app.process import CellProcess
+from hil.app.real import RealCell
 from hil.app.record import RunRecord, identity
 from hil.app.undisturbed import undisturbed
 from hil.cell.rig import Rig
@@ -79,7 +80,9 @@ class Result:
 
 
 def open_cell(request: Request) -> RunningCell:
-    """The cell of a request with its doors open; raises DoorError."""
+    """The cell of a request with its doors open, or the rig's real one; raises DoorError."""
+    if request.rig.rig == "real":
+        return RealCell(request.rig, request.clock)
     kind = CellProcess if request.layout == "process" else InlineCell
     record = request.out is not None
     return kind(request.rig, request.seed, request.clock, record=record)

@@ -5,6 +5,7 @@ from contextlib import ExitStack
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.server import UrServer
 from hil.cell.bench import Bench, CanLinks
+from hil.cell.errors import RigError
 from hil.cell.geometry import TaskGeometry
 from hil.cell.link import Link
 from hil.cell.plant.interface import Plant
@@ -59,7 +60,12 @@ def build_bench(rig: Rig, seed: int) -> Bench:
 
 
 def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
-    """The cell with its doors open; raises DoorError, and leaves none open when one fails."""
+    """The cell with its doors open; raises DoorError, and leaves none open when one fails.
+
+    A rig of real devices is a RigError: nothing stands in for them.
+    """
+    if rig.rig == "real":
+        raise RigError(f"rig '{rig.name}' names real devices; only `hil run` and `doctor` take it")
     bench = build_bench(rig, seed)
     gateway = open_gateway(rig.can, across_processes, fd=rig.sensor.frames == "fd")
     robot = rig.robot
@@ -78,4 +84,4 @@ def _sensor_port(rig: Rig, bench: Bench, seed: int) -> TcpPort | None:
     if not rig.sensor.serves_tcp:
         return None
     rng, say = stream(seed, "sensor_tcp"), bench.arm.box.say
-    return TcpPort(bench.node, rig.sensor, rig.latency.sensor_tcp, rng, say)
+    return TcpPort(bench.node, rig.sensor, rig.robot.host, rig.latency.sensor_tcp, rng, say)

@@ -1,5 +1,6 @@
 """`hil demo`, `hil run` and `hil up`: the whole loop, one run, the cell alone."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, TypeAlias
 
@@ -26,6 +27,9 @@ PartOption: TypeAlias = Annotated[
 ]
 RigPorts: TypeAlias = Annotated[
     bool, typer.Option("--rig-ports", help="Serve on the rig's ports, not on free ones.")
+]
+DryRun: TypeAlias = Annotated[
+    bool, typer.Option("--dry-run", help="Say what would be connected and done; do nothing.")
 ]
 UpClock: TypeAlias = Annotated[Clock, typer.Option(help="What paces the cell.")]
 HostOption: TypeAlias = Annotated[
@@ -54,34 +58,24 @@ def run(
     policy: PolicyOption = PolicyName.POSE,
     part: PartOption = None,
     rig_ports: RigPorts = False,
+    dry_run: DryRun = False,
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> int:
     """Run one assembly against a rig and record it; exit status 1 when it was not inserted."""
-    from hil.app.run import Request  # noqa: PLC0415
-    from hil.cell.errors import RigError  # noqa: PLC0415
     from hil.cli.assembly import ignore, perform, report  # noqa: PLC0415
-    from hil.cli.shipped import read  # noqa: PLC0415
+    from hil.cli.request import Choice, asked, plan_of, rig_of  # noqa: PLC0415
+    from hil.view.tables import as_json, of_facts  # noqa: PLC0415
 
-    if policy is PolicyName.ORACLE and cell is Layout.PROCESS:
-        raise typer.BadParameter(
-            "oracle reads the plant's truth, which only --cell inline has", param_hint="--policy"
-        )
-    found, text = read(rig)
-    if not found.fixture.parts:
-        raise RigError(f"{rig}: nothing to assemble; name a cable under fixture.parts")
-    request = Request(
-        rig=found if rig_ports else found.on_free_ports(),
-        rig_text=text,
-        seed=found.seed if seed is None else seed,
-        part=part or found.first_part,
-        policy=policy.value,
-        layout=cell.value,
-        clock=clock.value if clock else found.clock,
-        out=out,
-        overwrite=overwrite,
-        alone=True,
-    )
+    choice = Choice(seed, cell, clock, policy, part, rig_ports)
+    request = asked(*rig_of(rig, choice), choice)
+    if dry_run or request.rig.rig == "real":
+        intent = plan_of(request)
+        if dry_run or not json:
+            typer.echo(as_json(intent) if json else of_facts(intent), nl=False)
+    if dry_run:
+        return 0
+    request = replace(request, out=out, overwrite=overwrite)
     return report(perform(request, ignore, json=json), out, json=json)
 
 

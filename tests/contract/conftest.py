@@ -159,7 +159,12 @@ class StreamSensorCell:
     def __init__(self, rig):
         self._bench = build_bench(rig, 1)
         self._port = TcpPort(
-            self._bench.node, rig.sensor, Link(), np.random.default_rng(1), self._refuse
+            self._bench.node,
+            rig.sensor,
+            rig.robot.host,
+            Link(),
+            np.random.default_rng(1),
+            self._refuse,
         )
         self.sensor = TcpSensor(*self._port.address)
 

@@ -88,5 +88,6 @@ def test_a_sensor_that_restarts_in_a_run_ends_its_link(rig):
         for _ in range(2):  # the period in which it restarts, and the one that shows it
             arm.hold()
             t = arm.read().t
+        sensor.poll(t)  # what it had sent before
         with pytest.raises(LinkError):
             sensor.poll(t)

@@ -31,7 +31,9 @@ class Cell:
         sensor = Sensor(preset="nrs-6050-d80-quiet", tcp=tcp, boot_time="0 s", **choices)
         self.said = []
         self.node = SensorNode(sensor, np.random.default_rng(7))
-        self.port = TcpPort(self.node, sensor, laws, np.random.default_rng(1), self.said.append)
+        self.port = TcpPort(
+            self.node, sensor, "127.0.0.1", laws, np.random.default_rng(1), self.said.append
+        )
         self.t = 0
         self.frames = []
 
@@ -262,4 +264,4 @@ def test_a_port_in_use_is_named_with_the_way_out():
         sensor = Sensor(tcp=SensorTcp(port=taken.getsockname()[1]))
         node = SensorNode(sensor, np.random.default_rng(0))
         with pytest.raises(DoorError, match=r"set sensor\.tcp\.port to 0"):
-            TcpPort(node, sensor, Link(), np.random.default_rng(0), print)
+            TcpPort(node, sensor, "127.0.0.1", Link(), np.random.default_rng(0), print)

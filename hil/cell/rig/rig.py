@@ -12,6 +12,7 @@ from pydantic_core import ErrorDetails
 from hil.cell.errors import RigError
 from hil.cell.rig.parts import Cable, Connector, Fixture, Pad, Physics, Tool
 from hil.cell.rig.randomisation import Axis, Randomisation
+from hil.cell.rig.real import unnamed
 from hil.cell.rig.robot import FREE_PORTS, Robot
 from hil.cell.rig.section import Section
 from hil.cell.rig.sensor import CanBus, Sensor
@@ -23,6 +24,8 @@ class Rig(Section):
     """Everything that distinguishes one cell from another; with a seed, one run."""
 
     name: str
+    rig: Literal["emulated", "real"] = "emulated"
+    """Whether the addresses are served by an emulated cell or are those of real devices."""
     seed: int = Field(default=1, ge=0)
     clock: Literal["lockstep", "wall"] = "lockstep"
     robot: Robot = Robot()
@@ -41,7 +44,9 @@ class Rig(Section):
     randomisation: Randomisation = Randomisation()
 
     def on_free_ports(self) -> "Rig":
-        """The rig with every port 0: cells beside each other never meet."""
+        """The rig with every port 0: cells beside each other never meet. Real ones stay real."""
+        if self.rig == "real":
+            return self
         robot = self.robot.model_copy(update={"ports": FREE_PORTS})
         return self.model_copy(update={"robot": robot, "sensor": self.sensor.on_free_port()})
 
@@ -55,7 +60,7 @@ class Rig(Section):
         names = [part.name for part in self.fixture.parts]
         if len(names) != len(set(names)):
             raise ValueError(f"fixture.parts: names must differ, found {names}")
-        misfit = _misfit(self)
+        misfit = _misfit(self) or (unnamed(self) if self.rig == "real" else "")
         if misfit:
             raise ValueError(misfit)
         for axis in self.randomisation.axes:

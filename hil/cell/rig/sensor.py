@@ -37,11 +37,11 @@ class Errors(Section):
 class SensorTcp(Section):
     """The sensor's TCP front, beside its CAN bus; port 0 takes a free one and the cell says which.
 
-    host: where the emulated sensor listens, or where a real one is.
+    host: where the emulated sensor listens, or where a real one is; "" is the robot's.
     """
 
     enabled: bool = False
-    host: str = "127.0.0.1"
+    host: str = ""
     port: int = Field(default=2001, ge=0, le=65535)
 
 

@@ -21,13 +21,14 @@ CLIENTS: Final = 8
 class TcpPort:
     """Listens from construction on (DoorError when it cannot); never waits.
 
-    say: told in one line why a client was cut off or turned away.
+    host: where to listen unless the sensor's section says. say: told in one line why a client was cut off or turned away.
     """
 
     def __init__(
         self,
         node: SensorNode,
         sensor: Sensor,
+        host: str,
         laws: Laws,
         rng: np.random.Generator,
         say: Callable[[str], None],
@@ -36,7 +37,7 @@ class TcpPort:
         self._say = say
         self._boots = node.boots
         self._connections: list[TcpConnection] = []
-        self._listener = _listen(sensor.tcp.host, sensor.tcp.port)
+        self._listener = _listen(sensor.tcp.host or host, sensor.tcp.port)
 
     @property
     def address(self) -> tuple[str, int]:
