@@ -4,13 +4,14 @@ from dataclasses import dataclass, field
 
 from controller.course import Course, Phase
 from controller.laws.governor import Governor
-from controller.laws.interface import AxisReading, Reference
 from controller.outcome import Ending, Kind
 from controller.phases.move import move
 from controller.place import Place
 from controller.reference import ForceProfile, Slide, Step
 from controller.settings import Travel
+from controller.tracked_axis import TrackedAxis
 
+ORIGIN = Place(0.0, 0.0, 0.0, 0.0)
 GENTLE = Travel(speed=20e-3, acceleration=0.1)
 
 
@@ -21,7 +22,7 @@ class Tracking:
     touch: mean push that counts as the first contact, N. patience: longest way down.
     """
 
-    start: Place = Place(0.0, 0.0, 0.0, 0.0)
+    start: Place = ORIGIN
     force: ForceProfile = field(default_factory=lambda: Step(10.0))
     slide: Slide = field(default_factory=Slide)
     hold: float = 3.2
@@ -36,12 +37,13 @@ def tracking(course: Course, axis: Governor, job: Tracking) -> Phase[Ending]:
     yield from move(course, job.start, GENTLE)
     yield from course.dwell(job.rest)
     axis.reset(course.setpoint.z)
-    if not (yield from _lower(course, axis, job)):
+    tracked = TrackedAxis(course, axis)
+    if not (yield from _lower(course, tracked, job)):
         return _stopped(axis) or Ending(Kind.FAULT, f"no contact within {job.patience:g} s")
     touched = course.cycle.t
     for name, duration, slide in (("hold", job.hold, None), ("slide", job.moving, job.slide)):
         course.name = name
-        yield from _under_force(course, axis, job.force, _Leg(touched, duration, slide))
+        yield from _under_force(course, tracked, job.force, _Leg(touched, duration, slide))
         if axis.tripped:
             break
     return _stopped(axis) or Ending(Kind.DONE, "tracked to the end")
@@ -56,33 +58,25 @@ class _Leg:
     slide: Slide | None
 
 
-def _lower(course: Course, axis: Governor, job: Tracking) -> Phase[bool]:
+def _lower(course: Course, tracked: TrackedAxis, job: Tracking) -> Phase[bool]:
     """Down until the first touch; whether there was one."""
     course.name = "lower"
     reference = job.force.at(0.0)
     for _ in range(round(job.patience / course.period)):
-        yield from _press(course, axis, reference, course.setpoint.x)
-        if course.cycle.wrench[2] > job.touch or axis.tripped:
-            return not axis.tripped
+        yield from tracked.to(reference, course.setpoint.x)
+        if course.cycle.wrench[2] > job.touch or tracked.axis.tripped:
+            return not tracked.axis.tripped
     return False
 
 
-def _under_force(course: Course, axis: Governor, force: ForceProfile, leg: _Leg) -> Phase[None]:
+def _under_force(
+    course: Course, tracked: TrackedAxis, force: ForceProfile, leg: _Leg
+) -> Phase[None]:
     begin, x = course.cycle.t, course.setpoint.x
-    while not axis.tripped and (t := (course.cycle.t - begin) * 1e-9) < leg.duration:
+    while not tracked.axis.tripped and (t := (course.cycle.t - begin) * 1e-9) < leg.duration:
         way = leg.slide.at(t) if leg.slide else 0.0
         reference = force.at((course.cycle.t - leg.touched) * 1e-9)
-        yield from _press(course, axis, reference, x + way)
-
-
-def _press(course: Course, axis: Governor, reference: Reference, x: float) -> Phase[None]:
-    """One period of the law along z, the set-point at x."""
-    cycle = course.cycle
-    # The sensor's z points into the surface: a push on the tool is a negative fz.
-    push = tuple([-sample[2] for sample in cycle.reading.samples])
-    dz = axis.step(AxisReading(cycle.t, push, cycle.stage.z), reference)
-    y, z, theta = course.setpoint[1:]
-    yield from course.to(Place(x, y, z + dz, theta))
+        yield from tracked.to(reference, x + way)
 
 
 def _stopped(axis: Governor) -> Ending | None:

@@ -46,14 +46,10 @@ def track(rig: Rig, seed: int, variant: Variant) -> tuple[Trace, Outcome]:
     tracer = Tracer(rig.tool.mass)
     with ExitStack() as stack:
         recorder = _recorder(rig, seed, variant, stack)
-        cell = stack.enter_context(
-            InlineCell(rig, seed, "lockstep", record=recorder is not None)
-        )
+        cell = stack.enter_context(InlineCell(rig, seed, "lockstep", record=recorder is not None))
         frame = task_frame(rig)
         record = RunRecord(recorder, cell, frame, rig.robot.period) if recorder else None
-        near = stack.enter_context(
-            near_side(rig, cell.doors, record.rtde if record else None)
-        )
+        near = stack.enter_context(near_side(rig, cell.doors, record.rtde if record else None))
         bring_up(near.arm, near.sensor)
         drive = _Drive(
             lambda course: tracking(course, axis, job),

@@ -1,0 +1,76 @@
+"""The experiment's grid: which series are run, and what a user may ask of them."""
+
+from dataclasses import dataclass
+from math import isfinite
+
+from controller.laws.build import law_class
+from hil.experiments.force_tracking.presets import TUNED, parameters
+from hil.experiments.force_tracking.variant import Variant, axis_of
+
+RIGS = {125: "surface_ur5", 500: "surface_ur5e"}
+"""The shipped rig of each control rate, Hz."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """stiffnesses: k_e, N/mm. latencies: ms. force: f_d, N. approach, push: mm/s.
+
+    bottoming: push (N) and stiffness (N/mm) of a surface that turns stiff, (0, ...) for none.
+    """
+
+    laws: tuple[str, ...] = ("constant", "duan", "paper", "soft")
+    stiffnesses: tuple[float, ...] = (1.0, 3.0, 10.0, 30.0, 100.0)
+    latencies: tuple[float, ...] = (6.0, 10.0)
+    force: float = 10.0
+    approach: float = 4.0
+    push: float = 16.0
+    bottoming: tuple[float, float] = (0.0, 50.0)
+    preset: str = TUNED
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for what no cell could be built from, before anything moves."""
+        for name in ("laws", "stiffnesses", "latencies"):
+            if not getattr(self, name):
+                raise ValueError(f"{name}: at least one is needed")
+        for law in self.laws:
+            law_class(law)
+        for stiffness in (*self.stiffnesses, self.bottoming[1]):
+            _positive("stiffness in N/mm", stiffness)
+        for latency in self.latencies:
+            if not (isfinite(latency) and 0.0 <= latency <= 50.0):
+                raise ValueError(f"a total latency lies between 0 and 50 ms, found {latency}")
+        if not (isfinite(self.bottoming[0]) and self.bottoming[0] >= 0.0):
+            raise ValueError(f"a bottoming force is 0 N or more, found {self.bottoming[0]}")
+        for name, value in (("force in N", self.force), ("approach in mm/s", self.approach)):
+            _positive(name, value)
+        _positive("push in mm/s", self.push)
+        for variant in self.variants():
+            axis_of(variant, 8_000_000)
+
+    def variants(self) -> list[Variant]:
+        """Every series, in the order of the table."""
+        return [
+            self.variant(law, stiffness, latency)
+            for law in self.laws
+            for stiffness in self.stiffnesses
+            for latency in self.latencies
+        ]
+
+    def variant(self, law: str, stiffness: float, latency: float) -> Variant:
+        """One series; stiffness in N/mm, latency in ms."""
+        return Variant(
+            law=law,
+            parameters=parameters(self.preset, law),
+            stiffness=stiffness * 1e3,
+            latency=latency * 1e-3,
+            force=self.force,
+            approach=self.approach * 1e-3,
+            push=self.push * 1e-3,
+            bottoming_force=self.bottoming[0],
+            bottoming_stiffness=self.bottoming[1] * 1e3,
+        )
+
+
+def _positive(name: str, value: float) -> None:
+    if not (isfinite(value) and value > 0.0):
+        raise ValueError(f"{name} must be positive and finite, found {value}")
