@@ -1,9 +1,10 @@
 """An in-memory robot for programs, and the two ways tests run one on it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import pytest
 
+from hil.cell.arm.sockets import Sockets
 from hil.cell.arm.urscript import Runtime, RuntimeStatus, compile_program
 
 Vector6 = tuple[float, float, float, float, float, float]
@@ -76,6 +77,7 @@ class FakePort:
         self.tcp = ZERO6
         self.load = (0.0, (0.0, 0.0, 0.0), ZERO6)
         self.force = FakeForce()
+        self.sockets = Sockets()
         self.slider = 1.0
         self.gravity = (0.0, 0.0, 9.82)
         self.voltage = 0
@@ -222,8 +224,10 @@ def robots() -> type[FakePort]:
 
 
 @pytest.fixture
-def robot() -> FakePort:
-    return FakePort()
+def robot() -> Iterator[FakePort]:
+    robot = FakePort()
+    yield robot
+    robot.sockets.close_all()
 
 
 @pytest.fixture

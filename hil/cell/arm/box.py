@@ -18,6 +18,7 @@ from hil.cell.arm.pendant import Pendant
 from hil.cell.arm.registers import Registers
 from hil.cell.arm.servo import Servo
 from hil.cell.arm.signals import Signals
+from hil.cell.arm.sockets import Sockets
 from hil.cell.arm.streams.announcer import Announcer
 from hil.cell.arm.watchdog import Watchdog
 from hil.cell.rig.robot import Robot
@@ -35,7 +36,7 @@ class ControlBox:
     __slots__ = (
         "announcer", "contact", "estimate", "force_mode", "inputs", "jaws", "kinematics", "log",
         "measured", "modes", "ownership", "pendant", "period", "registers", "robot", "servo",
-        "signals", "t", "target", "tool", "version", "watchdog",
+        "signals", "sockets", "t", "target", "tool", "version", "watchdog",
     )  # fmt: skip
 
     def __init__(self, robot: Robot) -> None:
@@ -51,6 +52,7 @@ class ControlBox:
         self.registers = Registers()
         self.signals = Signals()
         self.inputs = InputImage(self.registers, self.signals)
+        self.sockets = Sockets()
         self.ownership = Ownership()
         self.watchdog = Watchdog()
         self.jaws = Jaws(robot.jaws)

@@ -88,6 +88,7 @@ class Programs:
             self.on_pendant = False
             self._box.watchdog.clear()
             self._box.force_mode.reset()
+            self._box.sockets.close_all()
             self._box.say("program stopped")
 
     def _runs_on(self, runtime: Runtime) -> bool:

@@ -12,11 +12,12 @@ from hil.cell.arm.safety import out_of_range
 class ScriptPort:
     """Implements `hil.cell.arm.port.RobotPort`; ValueError for an index or value out of range."""
 
-    __slots__ = ("_box", "force")
+    __slots__ = ("_box", "force", "sockets")
 
     def __init__(self, box: ControlBox) -> None:
         self._box = box
         self.force = ForceAccess(box)
+        self.sockets = box.sockets
 
     @property
     def period(self) -> int:

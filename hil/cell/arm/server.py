@@ -82,6 +82,7 @@ class UrServer:
         """Close every connection and every port; may be called again."""
         for connection in tuple(self._connections):
             self._drop(connection, "the cell closes")
+        self._arm.box.sockets.close_all()
         for listener in self._listeners.values():
             listener.close()
         self._listeners.clear()

@@ -51,7 +51,6 @@ class Runtime:
         names |= {
             "__builtins__": {}, "Halt": Halt, "condition": condition, "spend": scheduler.spend,
             "run": scheduler.run, "kill": scheduler.kill, "join": scheduler.join,
-            "enter_critical": scheduler.enter_critical, "exit_critical": scheduler.exit_critical,
         }  # fmt: skip
         return names
 

@@ -1,9 +1,9 @@
 """Cooperative threads of one program: a slice each per control cycle, in the order they started.
 
-A slice ends where robot time passes (motion, sleep, sync, join); until then a thread runs alone.
-Script Manual, Thread scheduling. A started thread gets its first slice in the next cycle, and a
-critical section keeps all other threads from running; both follow from clients' programs, the
-manual leaves them open.
+A slice ends where robot time passes (motion, sleep, sync, join, sockets); until then a thread runs
+alone. Script Manual, Thread scheduling. A started thread gets its first slice in the next cycle;
+the manual leaves that open. A critical section adds nothing to that: it cannot reach over robot
+time, because UR's own external control waits for its socket and servos in one.
 """
 
 from collections.abc import Generator
@@ -45,7 +45,6 @@ class Scheduler:
         self._threads: list[Thread] = []
         self._started = 0
         self._current: Thread | None = None
-        self._critical: Thread | None = None
         self._mover: Thread | None = None
 
     @property
@@ -60,7 +59,7 @@ class Scheduler:
         self._left = self._budget
         self._mover = None
         for thread in tuple(self._threads):
-            if self._critical in (None, thread) and thread in self._threads:
+            if thread in self._threads:
                 self._slice(thread)
             if self.main is None:
                 return False
@@ -75,8 +74,6 @@ class Scheduler:
 
     def _end(self, thread: Thread) -> None:
         self._threads.remove(thread)
-        if self._critical is thread:
-            self._critical = None
         if self._mover is thread:
             self._mover = None
 
@@ -104,12 +101,6 @@ class Scheduler:
         while any(thread.handle == wanted != 0 for thread in self._threads):
             yield
 
-    def enter_critical(self) -> None:
-        self._critical = self._current
-
-    def exit_critical(self) -> None:
-        self._critical = None
-
     def spend(self) -> None:
         """Count a loop turn or a call against the cycle's budget."""
         self._left -= 1
@@ -127,4 +118,3 @@ class Scheduler:
         for thread in self._threads:
             thread.slices.close()
         self._threads.clear()
-        self._critical = None

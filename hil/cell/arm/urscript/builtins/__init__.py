@@ -21,6 +21,7 @@ from hil.cell.arm.urscript.builtins.poses import Poses
 from hil.cell.arm.urscript.builtins.queries import Queries
 from hil.cell.arm.urscript.builtins.registers import Registers
 from hil.cell.arm.urscript.builtins.servoing import Servoing
+from hil.cell.arm.urscript.builtins.sockets import SocketCalls
 from hil.cell.arm.urscript.builtins.speed import Speed
 from hil.cell.arm.urscript.builtins.strings import Strings
 from hil.cell.arm.urscript.builtins.timing import Timing
@@ -28,7 +29,7 @@ from hil.cell.arm.urscript.symbols import Builtin, builtin
 
 _TOPICS: Final = (
     Configuration, Dynamics, Forces, Kinematics, Maths, Motion, Poses, Queries, Registers, Servoing,
-    Speed, Strings, Timing,
+    SocketCalls, Speed, Strings, Timing,
 )  # fmt: skip
 
 
@@ -55,7 +56,7 @@ def bind(port: RobotPort, claim: Callable[[], None]) -> dict[str, object]:
     drive = Drive(port, claim)
     topics: tuple[object, ...] = (
         Configuration(port), Dynamics(), Forces(port), Kinematics(port), Maths(), Motion(drive),
-        Poses(), Queries(port), Registers(port), Servoing(drive), Speed(drive), Strings(),
-        Timing(port),
+        Poses(), Queries(port), Registers(port), Servoing(drive), SocketCalls(port),
+        Speed(drive), Strings(), Timing(port),
     )  # fmt: skip
     return {builtin(name): getattr(topic, name) for topic in topics for name in _names(type(topic))}
