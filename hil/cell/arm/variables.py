@@ -31,7 +31,7 @@ MODELLED: Final[Mapping[str, str]] = MappingProxyType(
         "actual_qd": "measured.qd",
         "actual_TCP_pose": "measured.pose",
         "actual_TCP_speed": "measured.twist",
-        "actual_TCP_force": "measured.force",
+        "actual_TCP_force": "estimate.wrench",
         "ft_raw_wrench": "measured.force",
         "tcp_offset": "tool.offset",
         "payload": "tool.mass",
@@ -46,6 +46,8 @@ MODELLED: Final[Mapping[str, str]] = MappingProxyType(
         "actual_digital_input_bits": "signals.inputs",
         "actual_digital_output_bits": "signals.outputs",
         "target_speed_fraction": "signals.speed_fraction",
+        "speed_scaling": "signals.speed_fraction",
+        "tool_output_voltage": "signals.tool_voltage",
         "analog_io_types": "signals.analog_types",
     }
 )
@@ -77,7 +79,6 @@ NOT_MODELLED: Final[Mapping[str, object]] = MappingProxyType(
         "actual_momentum": 0.0,
         "actual_execution_time": 0.0,
         "target_execution_time": 0.0,
-        "speed_scaling": 1.0,
         "joint_position_deviation_ratio": 0.0,
         "collision_detection_ratio": 0.0,
         "time_scale_source": 0,
@@ -87,7 +88,6 @@ NOT_MODELLED: Final[Mapping[str, object]] = MappingProxyType(
         "tool_analog_input0": 0.0,
         "tool_analog_input1": 0.0,
         "tool_mode": 253,
-        "tool_output_voltage": 0,
         "tool_output_current": 0.0,
         "tool_output_mode": 0,
         "tool_digital_output0_mode": 0,
@@ -139,7 +139,7 @@ def _derived_readers(box: ControlBox) -> dict[str, Reader]:
     signals, measured, kinematics = box.signals, box.measured, box.kinematics
     return {
         "control_step": lambda: box.t // box.period,
-        "tcp_force_scalar": lambda: hypot(*measured.force[:3]),
+        "tcp_force_scalar": lambda: hypot(*box.estimate.wrench[:3]),
         "elbow_position": lambda: kinematics.elbow(measured.q),
         "elbow_velocity": lambda: kinematics.elbow_velocity(measured.q, measured.qd),
         "actual_configurable_digital_input_bits": lambda: signals.inputs >> 8 & 0xFF,
