@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from hil.cli import force
 from hil.cli.errors import FAILED
 from hil.cli.options import DEFAULT_RIG, Json, PartName, PolicyName, PolicyOption, RigOption, Seed
 
@@ -16,6 +17,8 @@ def build() -> typer.Typer:
     app.command()(plant)
     app.command()(noise)
     app.command()(insertion)
+    app.command()(force.force_tracking)
+    app.command()(force.stability_map)
     return app
 
 

@@ -65,4 +65,4 @@ def _unstable(push: Array, steady: Array, force: float) -> bool:
     late = push[1000:]
     lost = float(np.mean(late < 0.02 * force)) if len(late) else 0.0
     deviation = float(steady.std()) if len(steady) else 0.0
-    return deviation > OSCILLATING * force or lost > LOST
+    return bool(deviation > OSCILLATING * force or lost > LOST)

@@ -1,7 +1,7 @@
 """From runs to the experiment's table: one row a series, with spread and confidence."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.stats import bootstrap  # type: ignore[attr-defined]  # re-exported beyond mypy's sight
@@ -13,7 +13,8 @@ LEVEL = 0.95
 RESAMPLES = 2000
 
 
-class Spread(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Spread:
     """Mean and standard deviation over the stable runs, and the 95 % bootstrap interval of the
     mean.
     """
@@ -24,7 +25,8 @@ class Spread(NamedTuple):
     high: float
 
 
-class Series(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Series:
     """One row. k_e: N/mm. overshoot_p95: % of f_d. settling_s: mean. rms_*: mean, N. peak: the
     largest of all runs, N, unstable ones too. None where no stable run could tell.
     """

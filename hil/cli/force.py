@@ -1,0 +1,161 @@
+"""`hil experiment force-tracking` and `stability-map`: force laws on a curved surface."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from hil.cli.errors import FAILED
+from hil.cli.options import Json
+
+if TYPE_CHECKING:
+    from hil.cell.rig import Rig
+    from hil.experiments.force_tracking.grid import Grid
+
+LAWS = "constant,duan,paper,soft"
+Laws = Annotated[
+    list[str] | None,
+    typer.Option("--law", help="constant, duan, paper, soft or package.module:Class; with commas."),
+]
+Stiffnesses = Annotated[str, typer.Option("--stiffness", help="k_e, N/mm; with commas.")]
+Latencies = Annotated[str, typer.Option("--latency", help="Of both wires together, ms.")]
+Rates = Annotated[str, typer.Option("--rate", help="Control rates, Hz: 125, 500 or both.")]
+Force = Annotated[float, typer.Option(help="f_d, N.")]
+Approach = Annotated[float, typer.Option(help="Speed down to the surface, mm/s.")]
+Push = Annotated[float, typer.Option(help="Fastest inward speed in contact, mm/s.")]
+Bottoming = Annotated[
+    str,
+    typer.Option(help="Push (N) and stiffness (N/mm) at which the surface turns stiff: 3,50."),
+]
+Preset = Annotated[str, typer.Option(help="Parameters of the laws: tuned, printed, or a file.")]
+Workers = Annotated[int, typer.Option(min=1, help="Runs at a time.")]
+FirstSeed = Annotated[int, typer.Option(min=0, help="Seed of the first run.")]
+
+
+def force_tracking(
+    *,
+    law: Laws = None,
+    stiffness: Stiffnesses = "1,3,10,30,100",
+    latency: Latencies = "6,10",
+    rate: Rates = "125",
+    force: Force = 10.0,
+    approach: Approach = 4.0,
+    push: Push = 16.0,
+    bottoming: Bottoming = "0,50",
+    preset: Preset = "tuned",
+    seeds: Annotated[int, typer.Option(min=1, help="Runs a row.")] = 20,
+    seed: FirstSeed = 1,
+    workers: Workers = 2,
+    out: Annotated[
+        Path | None,
+        typer.Option(help="Folder for rows.json, report.md, the figure and recordings."),
+    ] = None,
+    figure_stiffness: Annotated[float, typer.Option(help="k_e of the figure, N/mm.")] = 3.0,
+    json: Json = False,
+) -> int:
+    """The paper's experiment on a curved surface, all laws, over the wire, by the true force."""
+    from hil.cli.force_output import write  # noqa: PLC0415
+    from hil.experiments.force_tracking.experiment import experiment  # noqa: PLC0415
+    from hil.experiments.force_tracking.table import as_text  # noqa: PLC0415
+    from hil.view import tables  # noqa: PLC0415
+
+    grid = _grid(law, stiffness, latency, preset, (force, approach, push), bottoming)
+    rigs = _rigs(rate)
+    rows = []
+    for row in experiment(rigs, grid, range(seed, seed + seeds), workers, out):
+        rows.append(row)
+        typer.echo(as_text([row]).splitlines()[1], err=True)
+    typer.echo(
+        tables.as_json({"rows": rows}) if json else as_text(rows),
+        nl=False,
+    )
+    if out is not None:
+        write(out, grid, rigs, rows, figure_stiffness, seed, workers)
+    return 0
+
+
+def stability_map(
+    *,
+    law: Laws = None,
+    rate: Rates = "125,500",
+    force: Force = 10.0,
+    preset: Preset = "tuned",
+    seeds: Annotated[int, typer.Option(min=1, help="Runs a cell.")] = 3,
+    seed: FirstSeed = 1,
+    workers: Workers = 2,
+    checks: Annotated[int, typer.Option(min=0, help="Cells checked over the wire.")] = 12,
+    figure: Annotated[Path, typer.Option(help="The picture, a PNG.")] = Path("stability_map.png"),
+    json: Json = False,
+) -> int:
+    """Stiffness against latency for each law and rate, without a wire; spot checks over it.
+
+    Exit status 1 when a spot check disagrees.
+    """
+    from hil.experiments import stability_map as experiment  # noqa: PLC0415
+    from hil.view import tables  # noqa: PLC0415
+
+    grid = _grid(
+        law, ",".join(map(str, experiment.STIFFNESSES)), ",".join(map(str, experiment.LATENCIES)),
+        preset, (force, 4.0, 16.0), "0,50",
+    )  # fmt: skip
+    rigs = _rigs(rate)
+    _writable(figure)
+    cells = list(experiment.stability_map(rigs, grid, range(seed, seed + seeds), workers))
+    experiment.draw(cells, figure)
+    checked = list(experiment.spot_checks(rigs, grid, cells, seed, checks))
+    agreeing = sum(check.agrees for check in checked)
+    if json:
+        typer.echo(tables.as_json({"cells": cells, "checks": checked}), nl=False)
+    else:
+        typer.echo(f"{len(cells)} cells in {figure}; over the wire {agreeing} of {checks} agree")
+    return 0 if agreeing == len(checked) else FAILED
+
+
+def _grid(
+    law: list[str] | None,
+    stiffness: str,
+    latency: str,
+    preset: str,
+    motion: tuple[float, float, float],
+    bottoming: str,
+) -> "Grid":
+    from hil.experiments.force_tracking.grid import Grid  # noqa: PLC0415
+
+    laws = tuple(name for entry in law or [LAWS] for name in entry.split(",") if name)
+    limit = _numbers("--bottoming", bottoming)
+    if len(limit) != 2:
+        raise typer.BadParameter(f"--bottoming takes a force and a stiffness, found '{bottoming}'")
+    try:
+        return Grid(
+            laws,
+            _numbers("--stiffness", stiffness),
+            _numbers("--latency", latency),
+            *motion,
+            bottoming=(limit[0], limit[1]),
+            preset=preset,
+        )
+    except (ValueError, TypeError) as error:
+        raise typer.BadParameter(str(error)) from None
+
+
+def _rigs(rate: str) -> "dict[int, Rig]":
+    from hil.cli.shipped import read  # noqa: PLC0415
+    from hil.experiments.force_tracking.grid import RIGS  # noqa: PLC0415
+
+    rates = _numbers("--rate", rate)
+    for value in rates:
+        if value not in RIGS:
+            raise typer.BadParameter(f"--rate: {value:g} Hz; there are 125 (UR5) and 500 (UR5e)")
+    return {int(value): read(RIGS[int(value)])[0] for value in rates}
+
+
+def _numbers(option: str, text: str) -> tuple[float, ...]:
+    try:
+        return tuple(float(part) for part in text.split(",") if part.strip())
+    except ValueError:
+        raise typer.BadParameter(f"{option} takes numbers with commas, found '{text}'") from None
+
+
+def _writable(path: Path) -> None:
+    if path.suffix != ".png" or not path.parent.is_dir():
+        raise typer.BadParameter(f"--figure {path}: a .png in a folder that exists is needed")
