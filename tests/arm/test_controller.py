@@ -189,3 +189,50 @@ def test_an_arm_moved_out_of_its_reach_is_a_plant_error(running):
 def test_the_log_tells_when(running):
     running.box.say("now")
     assert running.arm.log[-1] == (running.t, "now")
+
+
+def test_a_secondary_program_cannot_move_the_arm(following):
+    before = following.box.servo.q
+    following.arm.upload("sec push():\n  movej([0, 0, 0, 0, 0, 0])\nend\n")
+    following.run(3)
+    assert "line 2, column 3: a secondary program cannot move the robot" in following.log
+    assert following.box.servo.q == before
+    assert following.box.modes.program is RuntimeState.PLAYING
+
+
+def test_software_refuses_the_builtins_that_came_later(running):
+    running.arm.upload("def late():\n  optimovej([0, 0, 0, 0, 0, 0])\nend\n")
+    assert "line 2, column 3: name not found: optimovej" in running.log
+
+
+def test_two_threads_that_move_the_arm_end_the_program(running):
+    running.arm.upload(
+        "def both():\n  thread t():\n    movej([0, 0, 0, 0, 0, 0])\n  end\n  run t()\n"
+        "  movej([0, -1, 0, 0, 0, 0])\nend\n"
+    )
+    running.run(3)
+    assert "another thread is already controlling the robot" in running.log
+
+
+def test_a_loop_without_robot_time_ends_the_program_with_its_place(running):
+    running.arm.upload("def spin():\n  while True:\n    x = 1\n  end\nend\n")
+    running.run(2)
+    assert "program error: line 2, column 3: infinite loop" in running.log
+
+
+def test_the_speed_slider_slows_paths_and_shows(running):
+    goal = (*running.box.servo.q[:5], running.box.servo.q[5] + 0.5)
+
+    def cycles(fraction):
+        running.arm.accept({"speed_slider_mask": 1, "speed_slider_fraction": fraction}, running.t)
+        home = running.box.servo.q
+        running.arm.upload(f"def go():\n  movej({list(goal)})\n  movej({list(home)})\nend\n")
+        count = 0
+        while running.box.modes.program is RuntimeState.PLAYING:
+            running.run()
+            count += 1
+        return count
+
+    whole = cycles(1.0)
+    assert cycles(0.5) == pytest.approx(2 * whole, abs=6)
+    assert running.box.signals.speed_fraction == 0.5

@@ -11,7 +11,6 @@ from hil.cell.arm.port import RobotPort
 from hil.cell.arm.urscript import Program, Runtime, RuntimeStatus, ScriptError, compile_program
 
 _UNKNOWN: Final = re.compile(r"name not found: (\w+)")
-_SECONDARY: Final = re.compile(r"\A\s*sec\b")
 
 
 class Programs:
@@ -31,14 +30,13 @@ class Programs:
 
     def upload(self, text: str) -> None:
         """Compile a unit of URScript and start it in the next cycle; errors go to the log only."""
-        secondary = _SECONDARY.match(text) is not None
         try:
-            program = compile_program(_SECONDARY.sub("def", text, count=1))
+            program = compile_program(text, self._box.version)
         except ScriptError as error:
             self._box.say(f"program refused: {error}")
             self._box.announce(_exception(error))
             return
-        if secondary:
+        if program.secondary:
             self._secondary.append(Runtime(program, self._port))
         else:
             self._start(program)

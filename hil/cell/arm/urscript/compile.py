@@ -8,6 +8,7 @@ from typing import Final
 from lark import Token, Tree
 
 from hil.cell.arm.urscript.builtins import builtins
+from hil.cell.arm.urscript.builtins.versions import NEWEST, Version
 from hil.cell.arm.urscript.errors import ScriptError
 from hil.cell.arm.urscript.parse import parse
 from hil.cell.arm.urscript.scope import ROUTINES, Node, Routine, main_routine, nodes, place
@@ -30,15 +31,16 @@ class Program:
 
 
 @lru_cache(maxsize=32)
-def compile_program(text: str) -> Program:
+def compile_program(text: str, version: Version = NEWEST) -> Program:
     """One `def name(): ... end` (or `sec`), or plain statements; ScriptError when it is wrong.
 
+    version: of the controller's software, which decides what builtins there are.
     Cached by text: clients send the same program again and again, and parsing takes 0.2 s for a
     thousand lines.
     """
     try:
         name, secondary, main = _unit(parse(text))
-        code = compile(module(main, builtins()), FILENAME, "exec")
+        code = compile(module(main, builtins(version)), FILENAME, "exec")
     except SyntaxError as error:  # break outside a loop, more than 20 nested loops
         raise ScriptError(error.msg, error.lineno or 0, error.offset or 0) from None
     except (RecursionError, MemoryError):

@@ -39,7 +39,7 @@ class Runtime:
         self.status = RuntimeStatus.RUNNING
         self.error: ScriptError | None = None
         self._line = 0
-        self._scheduler = Scheduler(budget)
+        self._scheduler = Scheduler(budget, may_move=not program.secondary)
         names = self._namespace(port)
         exec(program.code, names)
         self._scheduler.run(names[program.entry]())  # type: ignore[operator]  # a generator function

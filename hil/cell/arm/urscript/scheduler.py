@@ -39,7 +39,8 @@ class Thread:
 class Scheduler:
     """budget: loop turns and calls that all threads together may take in one cycle."""
 
-    def __init__(self, budget: int) -> None:
+    def __init__(self, budget: int, *, may_move: bool = True) -> None:
+        self._may_move = may_move
         self._budget = budget
         self._left = budget
         self._threads: list[Thread] = []
@@ -109,6 +110,8 @@ class Scheduler:
 
     def claim(self) -> None:
         """Take the robot for this cycle."""
+        if not self._may_move:
+            raise ScriptError("a secondary program cannot move the robot")
         if self._mover not in (None, self._current):
             raise ScriptError("another thread is already controlling the robot")
         self._mover = self._current

@@ -25,6 +25,7 @@ from hil.cell.arm.urscript.builtins.sockets import SocketCalls
 from hil.cell.arm.urscript.builtins.speed import Speed
 from hil.cell.arm.urscript.builtins.strings import Strings
 from hil.cell.arm.urscript.builtins.timing import Timing
+from hil.cell.arm.urscript.builtins.versions import NEWEST, Version, known
 from hil.cell.arm.urscript.symbols import Builtin, builtin
 
 _TOPICS: Final = (
@@ -38,10 +39,13 @@ def _names(topic: type) -> list[str]:
 
 
 @cache
-def builtins() -> Mapping[str, Builtin]:
-    """Every builtin by its URScript name."""
+def builtins(version: Version = NEWEST) -> Mapping[str, Builtin]:
+    """The builtins of a software version by their URScript name."""
     return {
-        name: _described(name, getattr(topic, name)) for topic in _TOPICS for name in _names(topic)
+        name: _described(name, getattr(topic, name))
+        for topic in _TOPICS
+        for name in _names(topic)
+        if known(name, version)
     }
 
 

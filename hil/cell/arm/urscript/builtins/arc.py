@@ -50,9 +50,7 @@ def arc(start: Vector6, via: Vector6, goal: Vector6, *, fixed: bool) -> Arc:
     if square <= _THIN * max(_dot(u, u), _dot(v, v)):
         raise ScriptError("the three points of movec lie on one line")
     uu, vv = _dot(u, u), _dot(v, v)
-    centre = _plus(
-        a, _scaled(_cross(_minus(_scaled(v, uu), _scaled(u, vv)), normal), -0.5 / square)
-    )
+    centre = _plus(a, _scaled(_cross(_minus(_scaled(v, uu), _scaled(u, vv)), normal), 0.5 / square))
     axis = _scaled(normal, 1.0 / square**0.5)
     first, last = _minus(a, centre), _minus(c, centre)
     angle = atan2(_dot(axis, _cross(first, last)), _dot(first, last)) % (2.0 * pi)
