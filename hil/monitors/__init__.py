@@ -1,0 +1,1 @@
+"""Properties over what a run showed: a past-time temporal language, live and offline."""
