@@ -32,8 +32,9 @@ def status(error: BaseException) -> int | None:
     from drivers.errors import DriverError  # noqa: PLC0415
     from hil.cell.errors import CellError, RigError  # noqa: PLC0415
     from hil.recording.errors import RecordingError  # noqa: PLC0415
+    from hil.tuning.errors import TuningError  # noqa: PLC0415
 
-    if isinstance(error, RigError | RecordingError):
+    if isinstance(error, RigError | RecordingError | TuningError):
         return BAD_INPUT
     if isinstance(error, DriverError | CellError | ControlError | OSError):
         return FAILED

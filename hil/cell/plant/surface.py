@@ -50,6 +50,8 @@ class SurfacePlant:
             servo.frequency(rig.robot.servo),
         )
         self._q, self._v = np.zeros(4), np.zeros(4)
+        # Compiled now: in the first period it would take seconds, and the drivers' patience.
+        advance(self._law, np.zeros(4), np.zeros(4), np.zeros(4), np.empty((1, 6)))
 
     def reset(self, stage: StageTarget) -> PlantStep:
         """Start at rest; the step's one wrench is the one at rest."""

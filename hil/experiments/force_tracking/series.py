@@ -37,11 +37,11 @@ def rows(jobs: Sequence[Job], workers: int) -> Iterator[Row]:
 
 
 def one(job: Job) -> Row:
-    """A run's row; a run that a device or the cell ended is a row that says so."""
+    """A run's row; a run that never came about is a row that says so."""
     try:
         return run(job.rig, job.seed, job.variant.as_json())
     except (CellError, DriverError, ControlError) as error:
-        return {"unstable": True, "ending": f"{type(error).__name__}: {error}"}
+        return {"failed": True, "unstable": False, "ending": f"{type(error).__name__}: {error}"}
 
 
 def _cores(workers: int) -> list[int]:

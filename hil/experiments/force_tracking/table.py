@@ -27,8 +27,10 @@ class Spread:
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """One row. k_e: N/mm. overshoot_p95: % of f_d. settling_s: mean. rms_*: mean, N. peak: the
-    largest of all runs, N, unstable ones too. None where no stable run could tell.
+    """One row. k_e: N/mm. failed: runs that a device or the cell ended. overshoot_p95: % of f_d.
+
+    settling_s, rms_static, rms_tracking: means over the stable runs, s and N; None where there is
+    none. peak: the largest of all runs, N, unstable ones too.
     """
 
     law: str
@@ -37,6 +39,7 @@ class Series:
     rate_hz: int
     runs: int
     unstable: int
+    failed: int
     overshoot_p95: float | None
     settling_s: float | None
     rms_static: float | None
@@ -51,7 +54,8 @@ FIGURES = ("overshoot", "settling", "rms_static", "rms_tracking", "peak")
 
 def series(variant: Variant, rate: int, runs: Sequence[Row]) -> Series:
     """The table's row for one series of runs."""
-    stable = [row for row in runs if not row["unstable"]]
+    made = [row for row in runs if not row.get("failed")]
+    stable = [row for row in made if not row["unstable"]]
     spread = {name: spread_of(_values(stable, name)) for name in FIGURES}
     overshoots, peaks = _values(stable, "overshoot"), _values(runs, "peak")
     return Series(
@@ -60,14 +64,15 @@ def series(variant: Variant, rate: int, runs: Sequence[Row]) -> Series:
         latency_ms=variant.latency * 1e3,
         rate_hz=rate,
         runs=len(runs),
-        unstable=len(runs) - len(stable),
+        unstable=len(made) - len(stable),
+        failed=len(runs) - len(made),
         overshoot_p95=100 * float(np.quantile(overshoots, 0.95)) if overshoots else None,
         settling_s=_mean(spread["settling"]),
         rms_static=_mean(spread["rms_static"]),
         rms_tracking=_mean(spread["rms_tracking"]),
         peak=max(peaks, default=None),
         spread=spread,
-        endings=tuple(sorted({str(row["ending"]) for row in runs if row["unstable"]})),
+        endings=tuple(sorted({str(row["ending"]) for row in runs if row not in stable})),
     )
 
 

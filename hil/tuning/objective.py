@@ -1,0 +1,72 @@
+"""What a set of parameters is worth: figures over the grid, made without a wire."""
+
+from math import log
+from typing import NamedTuple
+
+from controller.laws.build import settings_of
+from hil.cell.rig import Rig
+from hil.experiments.force_tracking.direct import direct
+from hil.experiments.force_tracking.figures import Figures
+from hil.experiments.force_tracking.variant import Variant
+from hil.tuning.errors import TuningError
+from hil.tuning.study_file import StudyFile, nested
+
+UNSTABLE = 10.0
+"""Cost of an unstable run: worse than any figure a stable one has."""
+
+
+class Worth(NamedTuple):
+    """cost: to be minimised. violations: by how much each constraint is passed; <= 0 is kept."""
+
+    cost: float
+    violations: tuple[float, ...]
+
+
+def worth(study: StudyFile, rig: Rig, values: dict[str, float | bool]) -> Worth:
+    """Run the grid with these parameters; TuningError when the law does not take them."""
+    runs = [direct(rig, seed, variant) for variant in variants(study, values)
+            for seed in study.seeds]  # fmt: skip
+    cost = sum(_cost(study, figures) for figures in runs) / len(runs)
+    return Worth(cost, tuple(_violation(runs, name, most)
+                             for name, most in study.constraints.items()))  # fmt: skip
+
+
+def variants(study: StudyFile, values: dict[str, float | bool]) -> list[Variant]:
+    """The grid's series with these parameters."""
+    parameters = nested({**study.fixed, **values})
+    try:
+        settings_of(study.law, parameters)  # type: ignore[arg-type]  # judged right here
+    except (ValueError, TypeError) as error:
+        raise TuningError(f"law {study.law}: {error}") from None
+    return [
+        Variant(
+            law=study.law,
+            parameters=parameters,  # type: ignore[arg-type]
+            stiffness=stiffness * 1e3,
+            latency=latency * 1e-3,
+            force=study.force,
+            approach=study.approach * 1e-3,
+            push=study.push * 1e-3,
+        )
+        for stiffness in study.stiffnesses
+        for latency in study.latencies
+    ]
+
+
+def _cost(study: StudyFile, figures: Figures) -> float:
+    if figures.unstable:
+        return UNSTABLE
+    cost = 0.0
+    for name, weight in study.objective.items():
+        value = getattr(figures, name)
+        if value is None:
+            return UNSTABLE
+        cost += weight * log(max(value, study.floor.get(name, 1e-6)))
+    return cost
+
+
+def _violation(runs: list[Figures], name: str, most: float) -> float:
+    if name == "unstable":
+        return sum(figures.unstable for figures in runs) - most
+    values = [getattr(figures, name) for figures in runs]
+    return max((value - most for value in values if value is not None), default=1.0)
