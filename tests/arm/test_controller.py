@@ -236,3 +236,12 @@ def test_the_speed_slider_slows_paths_and_shows(running):
     whole = cycles(1.0)
     assert cycles(0.5) == pytest.approx(2 * whole, abs=6)
     assert running.box.signals.speed_fraction == 0.5
+
+
+def test_stopl_of_a_target_that_stands_ends_at_once_though_the_arm_still_moves(running):
+    flange, twist = running.box.measured.flange, (0.05, 0.0, 0.0, 0.0, 0.0, 0.0)
+    running.arm.upload('def stop():\n  stopl(10)\n  textmsg("stands")\nend\n')
+    for _ in range(3):
+        running.run()
+        running.arm.observe(running.t, flange, twist, ZERO6, part_held=False)
+    assert "stands" in running.log

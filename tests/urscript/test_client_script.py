@@ -17,6 +17,7 @@ from drivers.protocol.rtde_setup import (
     encode_controller_version,
     encode_types,
 )
+from hil.cell.arm.urscript import compile_program
 from hil.cell.arm.urscript.parse import parse
 
 HOST = "127.0.0.78"
@@ -116,3 +117,8 @@ def test_control_script_parses(control_script):
     tree = parse(control_script)
     assert len(list(tree.find_data("thread"))) == 8
     assert len(list(tree.find_data("run"))) == 14
+
+
+def test_control_script_compiles_for_its_software(control_script):
+    program = compile_program(control_script, (3, 15, 8, 0))
+    assert program.name == "rtde_control"

@@ -51,8 +51,11 @@ class Speed:
         yield from self._drive.brake(number(a))
 
     def stopl(self, a: Value = 20.0, aRot: Value = "a") -> Blocking:
-        """Slow the TCP at a (m/s^2): all joints slow together, in the ratio they move now."""
-        x, y, z, *_ = self._port.actual_tcp_speed()
+        """Slow the TCP at a (m/s^2): all joints slow together, in the ratio they move now.
+
+        By targets throughout: the arm itself still moves when its target stands already.
+        """
+        x, y, z, *_ = self._port.target_tcp_speed()
         tcp = hypot(x, y, z)
         joints = max(abs(v) for v in self._port.target_qd())
         ratio = joints / tcp if tcp > _AT_REST else 1.0
