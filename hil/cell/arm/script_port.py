@@ -171,7 +171,7 @@ class ScriptPort:
         self._box.announce(Text(text))
 
     def protective_stop(self, reason: str) -> None:
-        self._box.protective_stop(reason)
+        self._box.protective_stop(f"C209A0: {reason}")  # UR error code 209: by the program
 
     def watch(self, register: str, minimum_frequency: float, action: str) -> None:
         self._box.watchdog.watch(register, minimum_frequency, action, self._box.t)
