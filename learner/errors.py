@@ -1,0 +1,13 @@
+"""What can go wrong with a learner, its checkpoints and its companions."""
+
+
+class LearnerError(Exception):
+    """Root of this package's errors."""
+
+
+class CheckpointError(LearnerError):
+    """A checkpoint that is damaged, of another kind, or of another version."""
+
+
+class UnknownLearnerError(LearnerError):
+    """A name that is neither a learner of this package nor an import path of one."""
