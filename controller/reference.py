@@ -72,9 +72,7 @@ class Sine:
             return Reference(self.mean)
         w = 2.0 * pi * self.frequency
         phase = w * (t - self.rest)
-        return Reference(
-            self.mean + self.amplitude * sin(phase), self.amplitude * w * cos(phase)
-        )
+        return Reference(self.mean + self.amplitude * sin(phase), self.amplitude * w * cos(phase))
 
 
 @dataclass(frozen=True, slots=True)

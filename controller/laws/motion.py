@@ -17,7 +17,8 @@ class Motion:
         self._bounds = bounds
         self._period = period
         self._gain = bounds.acceleration * period
-        self._sent: deque[float] = deque(maxlen=round(MEMORY / period) + 2)
+        length = round(MEMORY / period) + 2
+        self._sent: deque[float] = deque([0.0] * length, length)
         self.position = 0.0
         self.speed = 0.0
 
@@ -31,7 +32,7 @@ class Motion:
             )
         self.position = position
         self.speed = 0.0
-        self._sent.extend([position] * (self._sent.maxlen or 0))
+        self._sent.extend([position] * len(self._sent))
 
     def advance(self, wanted: float) -> float:
         """Move at this speed (m/s) as far as the bounds allow; the step taken, m."""
@@ -50,7 +51,7 @@ class Motion:
 
     def repeat(self, periods: int) -> None:
         """So many periods passed without a command: the arm held the last one."""
-        self._sent.extend([self.position] * min(periods, self._sent.maxlen or 0))
+        self._sent.extend([self.position] * min(periods, len(self._sent)))
 
     def ago(self, delay: float) -> float:
         """The command in force so many seconds before the newest, m; the oldest kept at most."""

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from hil.cli import force
+from hil.cli import envelope, force
 from hil.cli.errors import FAILED
 from hil.cli.options import DEFAULT_RIG, Json, PartName, PolicyName, PolicyOption, RigOption, Seed
 
@@ -19,6 +19,7 @@ def build() -> typer.Typer:
     app.command()(insertion)
     app.command()(force.force_tracking)
     app.command()(force.stability_map)
+    app.command()(envelope.envelope)
     return app
 
 

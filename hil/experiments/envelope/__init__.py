@@ -1,0 +1,1 @@
+"""Random closed loops around a force law: the campaign behind its safety envelope."""
