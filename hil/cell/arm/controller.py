@@ -54,9 +54,9 @@ class ArmController:
         """Queue RTDE input values; the first frame with t >= arrival, ns, applies them."""
         self.box.inputs.accept(values, arrival)
 
-    def upload(self, text: str) -> None:
-        """Replace the program by this unit of URScript; errors go to the log."""
-        self.programs.upload(text)
+    def upload(self, text: str, delay: int = 0) -> None:
+        """Replace the program by this unit of URScript, which starts after `delay`, ns."""
+        self.programs.upload(text, delay)
 
     def frame(self, t: int) -> ArmTarget:
         """One control cycle at bench time t, ns."""

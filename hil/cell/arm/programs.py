@@ -19,39 +19,52 @@ class Programs:
     on_pendant: whether the primary one is the program that the pendant loaded, not a client's.
     """
 
-    __slots__ = ("_box", "_port", "_primary", "_secondary", "on_pendant")
+    __slots__ = ("_box", "_due", "_port", "_primary", "_secondary", "on_pendant")
 
     def __init__(self, box: ControlBox, port: RobotPort) -> None:
         self._box = box
         self._port = port
         self._primary: Runtime | None = None
         self._secondary: list[Runtime] = []
+        self._due: tuple[int, Program] | None = None
         self.on_pendant = False
 
-    def upload(self, text: str) -> None:
-        """Compile a unit of URScript and start it in the next cycle; errors go to the log only."""
-        try:
-            program = compile_program(text, self._box.version)
-        except ScriptError as error:
-            self._box.say(f"program refused: {error}")
-            self._box.announce(_exception(error))
+    def upload(self, text: str, delay: int) -> None:
+        """Compile a unit of URScript and start it after `delay` ns; errors go to the log only."""
+        program = self._compiled(text)
+        if program is None:
             return
         if program.secondary:
             self._secondary.append(Runtime(program, self._port))
-        else:
+        elif delay == 0:
             self._start(program)
+        else:
+            self.stop()
+            self._due = (self._box.t + delay, program)
 
     def play(self, text: str) -> bool:
         """Start the pendant's program; false when the robot or the text does not allow it."""
-        self.upload(text)
+        program = self._compiled(text)
+        if program is not None:
+            self._start(program)
         self.on_pendant = self._primary is not None
         return self.on_pendant
+
+    def _compiled(self, text: str) -> Program | None:
+        try:
+            return compile_program(text, self._box.version)
+        except ScriptError as error:
+            self._box.say(f"program refused: {error}")
+            self._box.announce(_exception(error))
+            return None
 
     def step(self) -> None:
         """Run every program for one control cycle."""
         for runtime in tuple(self._secondary):
             if not self._runs_on(runtime):
                 self._secondary.remove(runtime)
+        if self._due is not None and self._box.t >= self._due[0]:
+            self._start(self._due[1])
         primary, modes = self._primary, self._box.modes
         if primary is None:
             return
@@ -61,11 +74,13 @@ class Programs:
             self._drop()
 
     def stop(self) -> None:
-        """End the program where it stands."""
+        """End the program where it stands, and forget one that was about to start."""
+        self._due = None
         self._box.post(Event.FINISH)
         self._drop()
 
     def _start(self, program: Program) -> None:
+        self._due = None
         self._drop()
         if not self._box.post(Event.START):
             modes = self._box.modes
