@@ -174,3 +174,21 @@ def test_script_text_on_any_script_port_reaches_the_controller(server, knock, ce
     knock(door).sendall(b"power on\n")
     server.poll(0, WAIT)
     assert cell.box.modes.robot is RobotMode.BOOTING
+
+
+@pytest.mark.parametrize("door", ["secondary", "realtime"])
+def test_a_client_that_only_sends_scripts_is_never_cut_off(cell, server, knock, door):
+    client = knock(door)
+    for step in range(1, 6000):
+        server.publish(step * MS, step)
+        server.flush(step * MS)
+    client.sendall(b"power on\n")
+    server.poll(0, WAIT)
+    assert server.clients == 1
+    assert cell.box.modes.robot is RobotMode.BOOTING
+
+
+def test_streams_do_not_pace_the_lockstep(server, knock):
+    knock("realtime")
+    server.publish(8 * MS, 1)
+    assert server.next_due is None
