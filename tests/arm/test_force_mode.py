@@ -5,9 +5,12 @@ import pytest
 
 from drivers.protocol.rtde_states import SafetyMode
 from hil.cell.arm.force.mode import DAMPING, ForceMode, Task
+from hil.cell.arm.kinematics import Kinematics
 from hil.cell.arm.modes import Event
 from hil.cell.arm.pose import IDENTITY, ZERO3, ZERO6
 from hil.cell.assemble import build_bench
+from hil.cell.geometry import TaskGeometry
+from hil.cell.plant.interface import Contact
 from hil.cell.rig import parse
 
 SERIES = {
@@ -20,9 +23,10 @@ DOWN = "[0, 0, 1, 0, 0, 0]"
 class Press:
     """A cell whose TCP hangs 1 mm over a wall, and what it does from there."""
 
-    def __init__(self, series, stiffness=10e3):
+    def __init__(self, series, stiffness=10e3, text=None):
         rig = parse(
-            f"name: press\nrobot: {{{SERIES[series]}}}\n"
+            text
+            or f"name: press\nrobot: {{{SERIES[series]}}}\n"
             f"physics: {{plant: wall, wall_stiffness: {stiffness} N/m}}\n"
         )
         self.bench = build_bench(rig, 1)
@@ -178,3 +182,25 @@ def test_more_damping_moves_slower_under_the_same_force():
         ways.append(-at.position[2])
     assert ways[0] > ways[1] > ways[2] > 0
     assert ways[0] == pytest.approx(10 / 2000 * 0.8, rel=0.02)
+
+
+def test_a_gripped_cable_is_pressed_on_the_connectors_face_with_the_commanded_force():
+    text = f"name: press\nrobot: {{{SERIES['cb3']}}}\nphysics: {{plant: mujoco}}\n"
+    rig = parse(text)
+    home = Kinematics(rig.robot.model).forward(rig.robot.home)
+    x, y, z, turn = TaskGeometry(ZERO3, 0.0, rig.tool.length).stage(home)
+    part = f"{{name: A, position: [{x!r} m, {y!r} m, {z!r} m], rotation: {turn!r} rad}}"
+    cell = Press("cb3", text=f"{text}fixture: {{parts: [{part}]}}\n")
+    cell.box.estimate.disturb((0.0, 0.0), np.random.default_rng(1))
+    x, _, z, _ = cell.bench.truth.stage
+    cell.bench.arm.upload(
+        f"def press():\n  set_tcp(p[0, 0, {cell.length}, 0, 0, 0])\n"
+        "  set_standard_digital_out(0, True)\n  sleep(0.2)\n  over = get_target_tcp_pose()\n"
+        f"  over[0] = over[0] - {x - 0.02}\n  movel(over, a = 1, v = 0.2)\n"
+        f"  over[2] = over[2] - {z - 0.001}\n  movel(over, a = 1, v = 0.2)\n"
+        "  sleep(0.3)\n  zero_ftsensor()\n"
+        f"{pressing(3)}\nend\n"
+    )
+    cell.seconds(6.0)
+    assert cell.bench.truth.part.contact is Contact.FACE
+    assert np.mean(cell.seconds(1.0)[:, 0]) == pytest.approx(3.0, abs=0.15)

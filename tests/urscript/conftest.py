@@ -210,6 +210,9 @@ class FakePort:
     def message(self, text: str) -> None:
         self.messages.append(text)
 
+    def popup(self, text: str, title: str, **kind: bool) -> None:
+        self.messages.append(f"{title}: {text}")
+
     def protective_stop(self, reason: str) -> None:
         self.stops.append(reason)
 

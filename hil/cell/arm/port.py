@@ -167,6 +167,9 @@ class RobotPort(Protocol):
         """Line for the controller's log (textmsg)."""
         ...
 
+    def popup(
+        self, text: str, title: str, *, warning: bool, error: bool, blocking: bool
+    ) -> None: ...
     def protective_stop(self, reason: str) -> None: ...
 
     def watch(self, register: str, minimum_frequency: float, action: str) -> None:

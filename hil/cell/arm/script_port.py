@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from drivers.protocol.primary_messages import Text
+from drivers.protocol.primary_messages import Popup, Text
 from hil.cell.arm.box import ControlBox
 from hil.cell.arm.force.access import ForceAccess
 from hil.cell.arm.pose import Vector3, Vector6, compose, inverse, of, vector6, vector_of
@@ -169,6 +169,10 @@ class ScriptPort:
     def message(self, text: str) -> None:
         self._box.say(text)
         self._box.announce(Text(text))
+
+    def popup(self, text: str, title: str, *, warning: bool, error: bool, blocking: bool) -> None:
+        self._box.say(f"{title}: {text}")
+        self._box.announce(Popup(title, text, warning, error, blocking))
 
     def protective_stop(self, reason: str) -> None:
         self._box.protective_stop(f"C209A0: {reason}")  # UR error code 209: by the program

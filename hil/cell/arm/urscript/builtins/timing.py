@@ -41,8 +41,11 @@ class Timing:
         error: Value = False,
         blocking: Value = False,
     ) -> Blocking:
-        """Goes to the log; a blocking one waits for ever, as nobody stands at the pendant."""
-        self._port.message(f"{shown(title)}: {shown(s)}")
+        """Goes to log and clients; a blocking one waits for ever: nobody stands at the pendant."""
+        waits = boolean(blocking)
+        self._port.popup(
+            shown(s), shown(title), warning=boolean(warning), error=boolean(error), blocking=waits
+        )
         yield
-        while boolean(blocking):
+        while waits:
             yield
