@@ -114,7 +114,7 @@ class ForceMode:
         path = [0.0 if free else step for free, step in zip(task.selection, asked, strict=True)]
         felt_task = turn(axes, felt[:3]) + turn(axes, felt[3:])
         moved = [p + v * self._dt for p, v in zip(path, self._give(task, felt_task), strict=True)]
-        return _moved(axes, at, moved), _moved(axes, at, path)
+        return _moved(axes, at, moved), _moved(axes, at, path) if any(path) else at
 
     def deviation(self, target: Pose, actual: Pose) -> str | None:
         """Why the mode ends: an axis that is not compliant is too far from its target."""
