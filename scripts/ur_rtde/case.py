@@ -14,14 +14,15 @@ class Case(NamedTuple):
     """A check of a call's effect; it raises AssertionError when the effect is missing.
 
     since: first CB3 and first e-Series version (major, minor) in which the client does more than
-    return: it cuts the call out of its control script for older controllers. idle: the bare call,
-    made below that version. bug: what is wrong with the client's call, on any controller.
+    return. idle: the bare call, made below that version; below: what the client then does.
+    bug: what is wrong with the client's call, on any controller.
     """
 
     check: Check
     since: tuple[tuple[int, int], tuple[int, int]] = ((3, 0), (5, 0))
     idle: Check | None = None
     bug: str = ""
+    below: str = "the client leaves the call out of its script"
 
 
 NEVER = (4, 0)
@@ -60,4 +61,4 @@ def _without_effect(case: Case, robot: Robot, first: tuple[int, int]) -> Verdict
     near(robot.receive.getActualQ(), before, 0.5e-3)
     assert robot.control.isProgramRunning(), "the call ended the control script"
     since = "e-Series only" if first == NEVER else f"from {first[0]}.{first[1]} on"
-    return Verdict("no effect", f"{since}: the client leaves the call out of its script")
+    return Verdict("no effect", f"{since}: {case.below}")

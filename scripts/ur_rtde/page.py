@@ -8,16 +8,15 @@ from case import Verdict
 Results = Mapping[str, Mapping[str, Verdict]]
 HEAD = """# Compatibility: ur_rtde 1.6.5
 
-Written by `python scripts/ur_rtde/compatibility.py --write docs/compatibility.md`, not by hand: an
-unmodified ur_rtde from PyPI against `hil up plate_ur5` (CB3 3.15, 125 Hz) and `hil up plate_ur5e`
-(e-Series 5.11, 500 Hz), by the wall clock, client and cell in processes of their own. There is a row
-for every public method of the installed client; each asserts the call's effect (pose reached, force
+Written by `python scripts/ur_rtde/compatibility.py --write docs/compatibility.md`, not by hand: an unmodified ur_rtde from PyPI against `hil up plate_ur5` (CB3 3.15, 125 Hz) and `hil up
+plate_ur5e` (e-Series 5.11, 500 Hz), by the wall clock, client and cell in processes of their own. There is a
+row for every public method of the installed client; each asserts the call's effect (pose reached, force
 on the plant, output seen by another interface), not only what it returned.
 
 | result | means |
 |---|---|
 | pass | the effect is there |
-| no effect | the client takes the call out of its script for this controller version; asserted: it returns, the arm stands, the script goes on |
+| no effect | the controller is too old for the call; asserted: the arm stands, control goes on |
 | client bug | the call cannot work on any controller, for the reason given |
 | FAIL | the emulation falls short, for the reason given |
 """

@@ -81,6 +81,9 @@ class Robot:
             becomes(self.receive.getActualQ, self.home, 1e-3)
 
     def restart_script(self) -> None:
+        """Upload again; the call before it, refused, clears the client's last command."""
+        if not self.control.isProgramRunning():
+            self.control.isSteady()
         self.control.reuploadScript()
         true_soon(self.control.isProgramRunning, "control script running")
 

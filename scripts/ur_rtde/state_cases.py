@@ -3,13 +3,14 @@
 import math
 import time
 
-from case import NEVER, Case, Cases
+from case import NEVER, Case, Cases, Check
 from expect import becomes, equal, near, true_soon
 from robot import Robot
 
 ZERO = [0.0] * 6
 FAR = [5.0, 0.0, 0.3, 3.14, 0.0, 0.0]
 TOOL = [0.0, 0.0, 0.12, 0.0, 0.0, 0.0]
+RAISES = "the client raises an error: it reads registers that it did not ask for"
 SINCE_5_23 = (NEVER, (5, 23))
 HAS_SOLUTION = ((3, 15), (5, 10))
 
@@ -195,6 +196,25 @@ def direct_torque(robot: Robot) -> None:
     robot.stands()
 
 
+def torque_below(robot: Robot) -> None:
+    robot.control.directTorque(ZERO)
+    true_soon(lambda: not robot.control.isProgramRunning(), "the controller ends the script")
+    robot.restart_script()
+
+
+def raises(name: str) -> Check:
+    """The client asks for registers that it has not subscribed to."""
+
+    def check(robot: Robot) -> None:
+        try:
+            getattr(robot.control, name)()
+        except RuntimeError:
+            return
+        raise AssertionError("no error")
+
+    return check
+
+
 def matrix(name: str) -> Case:
     """A 6 x 6 matrix of dynamics, from 5.23 on."""
 
@@ -203,7 +223,7 @@ def matrix(name: str) -> Case:
         equal(len(found), 36)
         assert any(found), "all zero"
 
-    return Case(check, SINCE_5_23, lambda robot: getattr(robot.control, name)())
+    return Case(check, SINCE_5_23, raises(name), below=RAISES)
 
 
 def vector(name: str) -> Case:
@@ -264,14 +284,18 @@ CASES: Cases = {
         freedrive_status, SINCE_5_10, lambda robot: robot.control.getFreedriveStatus()
     ),
     "directTorque": Case(
-        direct_torque, (NEVER, (5, 26)), lambda robot: robot.control.directTorque(ZERO)
+        direct_torque,
+        (NEVER, (5, 26)),
+        torque_below,
+        below="the client's script then loops without end, and the controller ends it",
     ),
     "getMassMatrix": matrix("getMassMatrix"),
     "getJacobian": matrix("getJacobian"),
     "getJacobianTimeDerivative": Case(
         lambda robot: equal(len(robot.control.getJacobianTimeDerivative()), 36),
         SINCE_5_23,
-        lambda robot: robot.control.getJacobianTimeDerivative(),
+        raises("getJacobianTimeDerivative"),
+        below=RAISES,
     ),
     "getCoriolisAndCentrifugalTorques": vector("getCoriolisAndCentrifugalTorques"),
     "getTargetJointAccelerations": vector("getTargetJointAccelerations"),
