@@ -9,6 +9,7 @@ The loop between contact and motion is cut at one place: the arm of this period 
 the last one, as in the real cell.
 """
 
+from math import remainder, tau
 from typing import NamedTuple
 
 from drivers.protocol.frame import CanFrame
@@ -21,6 +22,7 @@ from hil.cell.rig.parts import Tool
 from hil.cell.sensor.node import SensorNode
 
 G = 9.81
+NS = 1_000_000_000
 
 
 class CanLinks(NamedTuple):
@@ -59,13 +61,14 @@ class Bench:
         """One control period: the arm decides, physics moves, the sensor speaks."""
         target = self.arm.frame(self.t)
         stage = self._geometry.stage(target.flange)
+        before = self.truth.stage
         self.truth = self.plant.step(StageTarget(*stage, target.jaws_closed), self.period)
         self.t += self.period
         for arrival, frame in self._can_in.due(self.t):
             self.node.receive(frame, arrival)
         self._can_out.extend(self.node.advance(self.t, self.truth.wrenches))
         flange = self._geometry.flange(self.truth.stage, target.flange, stage)
-        self._feel(flange)
+        self._feel(flange, before)
         return self.truth
 
     def put_on_bus(self, frames: list[CanFrame]) -> None:
@@ -77,16 +80,23 @@ class Bench:
         """The node's frames that have reached the host by t, ns, with their arrival."""
         return self._can_out.due(t)
 
-    def _feel(self, flange: Pose) -> None:
-        """Show the arm where it is, how fast, what pushes it, and whether the jaws hold a part."""
+    def _feel(self, flange: Pose, before: Stage) -> None:
+        """Show the arm where it is, how fast, what pushes it, and whether the jaws hold a part.
+
+        before: the stage a period ago. Speed is the mean over the period, as from encoders: the
+        plant's own at the period's end is a tenth low at 125 Hz, where every set-point is a step.
+        """
         truth = self.truth
         held = truth.part.name is not None
         force = self._force(truth.wrenches[-1].tolist(), flange.rotation)
-        self.arm.observe(self.t, flange, self._twist(truth.velocity), force, held)
+        self.arm.observe(self.t, flange, self._twist(before, truth.stage), force, held)
 
-    def _twist(self, velocity: Stage) -> Vector6:
-        x, y, z = self._geometry.to_base(velocity[:3])
-        return x, y, z, 0.0, 0.0, velocity[3]
+    def _twist(self, before: Stage, now: Stage) -> Vector6:
+        rate = NS / self.period
+        x, y, z = self._geometry.to_base(
+            ((now[0] - before[0]) * rate, (now[1] - before[1]) * rate, (now[2] - before[2]) * rate)
+        )
+        return x, y, z, 0.0, 0.0, remainder(now[3] - before[3], tau) * rate
 
     def _force(self, wrench: list[float], rotation: Rotation) -> Vector6:
         """What the environment does at the TCP, base frame: the tool's weight is known payload."""

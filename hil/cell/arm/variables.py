@@ -36,6 +36,7 @@ MODELLED: Final[Mapping[str, str]] = MappingProxyType(
         "tcp_offset": "tool.offset",
         "payload": "tool.mass",
         "payload_cog": "tool.centre_of_gravity",
+        "payload_inertia": "tool.inertia",
         "robot_mode": "modes.robot",
         "safety_mode": "modes.safety",
         "safety_status": "modes.safety",
@@ -46,7 +47,6 @@ MODELLED: Final[Mapping[str, str]] = MappingProxyType(
         "actual_digital_input_bits": "signals.inputs",
         "actual_digital_output_bits": "signals.outputs",
         "target_speed_fraction": "signals.speed_fraction",
-        "speed_scaling": "signals.speed_fraction",
         "tool_output_voltage": "signals.tool_voltage",
         "analog_io_types": "signals.analog_types",
     }
@@ -66,7 +66,6 @@ NOT_MODELLED: Final[Mapping[str, object]] = MappingProxyType(
         "target_TCP_acceleration": ZERO6,
         "target_base_acceleration": ZERO6,
         "target_base_wrench": ZERO6,
-        "payload_inertia": ZERO6,
         "target_gravity": (0.0, 0.0, GRAVITY),
         "joint_temperatures": (30.0,) * 6,
         "tool_temperature": 30.0,
@@ -80,6 +79,7 @@ NOT_MODELLED: Final[Mapping[str, object]] = MappingProxyType(
         "actual_execution_time": 0.0,
         "target_execution_time": 0.0,
         "joint_position_deviation_ratio": 0.0,
+        "speed_scaling": 1.0,  # of the trajectory limiter; clients multiply it by the slider's
         "collision_detection_ratio": 0.0,
         "time_scale_source": 0,
         "script_control_line": 0,
