@@ -9,9 +9,9 @@ the loop's delay theta; and one design number, the observer's bandwidth times th
 With kappa = k_e/k, y = kappa x_e + (1 - kappa) x. For k = k_e no feedback is left (the form of
 Smith's predictor and of internal model control), so that no delay can destabilise it. Otherwise
 the loop gain is |1 - kappa|, at most 1 for every k >= k_e/2: believing a contact too stiff is
-always safe, which is why every touch begins at the stiffest. Steady error on a surface of constant
-speed is zero whatever k and theta are; on a curved one it grows with k_e, acceleration and theta
-squared: the price of delay.
+always safe, which is why every touch begins at the stiffest. While that is stable, the steady
+error on a surface of constant speed is zero whatever k and theta are; on a curved one it grows with
+k_e, acceleration and theta squared: the price of delay.
 """
 
 from dataclasses import dataclass, field

@@ -1,7 +1,7 @@
 """The axes of a selection that hold no force: one goes to a position, one gives way to any push."""
 
 from dataclasses import dataclass
-from math import inf, isfinite, sqrt
+from math import floor, inf, isfinite, sqrt
 
 from controller.laws.bounds import Bounds
 from controller.laws.interface import AxisReading, Reference
@@ -17,6 +17,10 @@ class Pace:
     lowest: float = -inf
     highest: float = inf
 
+    def __post_init__(self) -> None:
+        if not (0.0 < self.speed < inf and 0.0 < self.acceleration < inf):
+            raise ValueError(f"speed and acceleration must be positive and finite, found {self}")
+
     def bounds(self) -> Bounds:
         return Bounds(
             speed=self.speed,
@@ -24,6 +28,18 @@ class Pace:
             lowest=self.lowest,
             highest=self.highest,
         )
+
+
+def stoppable(way: float, acceleration: float, period: float) -> float:
+    """The fastest speed (m/s) from which so short a way (m) suffices to stop, in whole periods.
+
+    Of (n + r) times the speed lost a period, the way is (n + 1)(n + 2r)/2 times what that speed
+    covers a period; the continuous v²/2a would overshoot by up to an eighth of that.
+    """
+    loss = acceleration * period
+    ways = way / (loss * period)
+    n = floor(0.5 * (sqrt(1.0 + 8.0 * ways) - 1.0))
+    return loss * (n + max(0.0, ways / (n + 1) - 0.5 * n))
 
 
 class PositionAxis:
@@ -51,9 +67,7 @@ class PositionAxis:
         way = target - self._motion.position
         if not isfinite(way):
             return self._motion.advance(0.0)
-        # The fastest speed from which the way left still suffices to stop, in whole periods.
-        gain = self._acceleration * self._period
-        stopping = sqrt(0.25 * gain * gain + 2.0 * self._acceleration * abs(way)) - 0.5 * gain
+        stopping = stoppable(abs(way), self._acceleration, self._period)
         wanted = min(abs(way) / self._period, stopping)
         return self._motion.advance(wanted if way > 0.0 else -wanted)
 
