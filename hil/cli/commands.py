@@ -2,7 +2,7 @@
 
 import typer
 
-from hil.cli import bench, cell, doctor, experiment, recordings, rig, tune
+from hil.cli import bench, campaign, cell, doctor, experiment, recordings, rig, tune
 
 
 def build() -> typer.Typer:
@@ -24,5 +24,6 @@ def build() -> typer.Typer:
     app.command()(doctor.doctor)
     app.add_typer(rig.build(), name="rig")
     app.add_typer(experiment.build(), name="experiment")
+    app.add_typer(campaign.build(), name="campaign")
     app.add_typer(tune.build(), name="tune")
     return app

@@ -30,11 +30,12 @@ def status(error: BaseException) -> int | None:
     # Imported when something went wrong: `hil --help` needs none of these rooms.
     from controller.errors import ControlError  # noqa: PLC0415
     from drivers.errors import DriverError  # noqa: PLC0415
+    from hil.campaign.errors import CampaignError  # noqa: PLC0415
     from hil.cell.errors import CellError, RigError  # noqa: PLC0415
     from hil.recording.errors import RecordingError  # noqa: PLC0415
     from hil.tuning.errors import TuningError  # noqa: PLC0415
 
-    if isinstance(error, RigError | RecordingError | TuningError):
+    if isinstance(error, RigError | RecordingError | CampaignError | TuningError):
         return BAD_INPUT
     if isinstance(error, DriverError | CellError | ControlError | OSError):
         return FAILED
