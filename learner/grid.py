@@ -48,15 +48,15 @@ class Grid(NamedTuple):
             )
         )
 
-    def index(self, cell: Cell) -> int:
-        """Row of the table."""
+    def row(self, cell: Cell) -> int:
+        """The table's row of a cell."""
         (hx, hy, ht), (_, ny, nt) = self.halves, self.shape
         return ((cell.x + hx) * ny + cell.y + hy) * nt + cell.theta + ht
 
-    def at(self, index: int) -> Cell:
+    def at(self, row: int) -> Cell:
         """The cell of a row."""
         (hx, hy, ht), (_, ny, nt) = self.halves, self.shape
-        rest, theta = divmod(index, nt)
+        rest, theta = divmod(row, nt)
         x, y = divmod(rest, ny)
         return Cell(x - hx, y - hy, theta - ht)
 

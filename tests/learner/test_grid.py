@@ -13,7 +13,7 @@ def test_rows_and_cells_are_one_to_one(halves):
     grid = Grid(halves, SIZES)
     cells = [grid.at(row) for row in range(grid.states)]
     assert len(set(cells)) == grid.states
-    assert [grid.index(cell) for cell in cells] == list(range(grid.states))
+    assert [grid.row(cell) for cell in cells] == list(range(grid.states))
 
 
 @given(HALVES, st.data())

@@ -1,0 +1,100 @@
+"""Algorithm 1: the paper's parallel learner, on a schedule that repeats.
+
+The agents take a fixed number of steps after each real step and learn into the pool in a fixed
+order, so a run depends on its seed alone. Free-running ones, beside a real loop, are `process`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from controller.action import Action, Observation
+from learner.errors import CheckpointError
+from learner.grid import Grid
+from learner.interface import State, Transition
+from learner.parallel.agents import Agents
+from learner.parallel.outcomes import FAIL, Classes, Outcomes
+from learner.parallel.server import Model, evaluate
+from learner.tabular.alone import best, learn
+from learner.tabular.settings import Tabular
+from learner.tabular.tables import empty, restore, saved, take_up
+
+
+@dataclass(frozen=True, slots=True)
+class Parallel:
+    """agents: n. rounds: simulated steps of each after a real step (the paper names none; from
+    about 60 steps of all agents on, more change nothing). model: of the parameter server.
+    """
+
+    tabular: Tabular = field(default_factory=Tabular)
+    agents: int = 6
+    rounds: int = 100
+    model: Model = Model.LAST
+
+    def __post_init__(self) -> None:
+        if self.agents < 0 or self.rounds < 0:
+            raise ValueError(f"agents and rounds cannot be negative, found {self}")
+
+
+class ParallelLearner:
+    """The real robot's thread of Algorithm 1 with its pool, its server and its agents."""
+
+    def __init__(
+        self,
+        grid: Grid,
+        settings: Parallel,
+        rng: np.random.Generator,
+        start: tuple[int, int, int] = (0, 0, 0),
+    ) -> None:
+        """start: cell at which simulated episodes begin, where the real ones do."""
+        self.grid, self.settings = grid, settings
+        self.pool = empty(grid.states, settings.agents, rng)
+        self.outcomes = Outcomes(grid.states)
+        self.agents = Agents.at(start, settings.agents)
+        self.classes: Classes = np.full(grid.states, FAIL, np.int8)
+
+    def begin(self) -> None:
+        """Nothing: agents and robot keep their own episodes."""
+
+    def act(self, observation: Observation) -> Action:
+        """Eq. 5 on the shared tables."""
+        return best(self.pool, self.grid, self.settings.tabular, observation)
+
+    def observe(self, transition: Transition) -> None:
+        """Learn from the real step, tell the server, let the agents go on."""
+        tabular = self.settings.tabular
+        learn(self.pool, self.grid, tabular, transition)
+        self.outcomes.note(self.grid.row(self.grid.cell(transition.after)), transition.ending)
+        # "if N_rel = 1" of Algorithm 1, read as "from the first success on".
+        if not self.outcomes.successes:
+            return
+        if transition.ending is not None or self.settings.model is Model.LAST:
+            self.classes = evaluate(self.settings.model, self.grid, self.outcomes)
+        self.agents.run(self.pool, self.grid, self.classes, tabular, self.settings.rounds)
+
+    def grip_changed(self) -> None:
+        """Nothing: the paper's tables point where they pointed."""
+
+    def save(self) -> State:
+        return {
+            "pool": saved(self.pool),
+            "outcomes": self.outcomes.save(),
+            "agents": self.agents.save(),
+            "classes": self.classes.copy(),
+        }
+
+    def load(self, state: State) -> None:
+        """Take up a saved learner; CheckpointError for one of another kind or size."""
+        take_up(self.pool, part(state, "pool"))
+        self.outcomes.load(part(state, "outcomes"))
+        self.agents.load(part(state, "agents"))
+        restore("classes", self.classes, state.get("classes"))
+
+
+def part(state: State, name: str) -> State:
+    """A saved part; CheckpointError when there is none."""
+    found = state.get(name)
+    if not isinstance(found, Mapping):
+        raise CheckpointError(f"no '{name}' in it: not a parallel learner's")
+    return found

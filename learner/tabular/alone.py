@@ -1,0 +1,53 @@
+"""Q, double Q and weighted double Q-learning on the real robot's own steps, nothing else."""
+
+import numpy as np
+
+from controller.action import Action, Observation
+from learner.grid import Grid
+from learner.interface import State, Transition
+from learner.tabular.rules import Pool, Step, choose, update
+from learner.tabular.settings import Tabular
+from learner.tabular.tables import empty, saved, take_up
+from learner.task import reward
+
+
+class TabularLearner:
+    """One robot, its tables, its dice."""
+
+    def __init__(self, grid: Grid, settings: Tabular, rng: np.random.Generator) -> None:
+        self.grid, self.settings = grid, settings
+        self.pool = empty(grid.states, 0, rng)
+
+    def begin(self) -> None:
+        """Nothing: a table knows no episodes."""
+
+    def act(self, observation: Observation) -> Action:
+        """Eq. 5."""
+        return best(self.pool, self.grid, self.settings, observation)
+
+    def observe(self, transition: Transition) -> None:
+        """Eqs. 4, 6 and 7."""
+        learn(self.pool, self.grid, self.settings, transition)
+
+    def grip_changed(self) -> None:
+        """Nothing: the tables point where they pointed, as the paper's do."""
+
+    def save(self) -> State:
+        return saved(self.pool)
+
+    def load(self, state: State) -> None:
+        take_up(self.pool, state)
+
+
+def best(pool: Pool, grid: Grid, settings: Tabular, observation: Observation) -> Action:
+    """The real robot's next step on the pool."""
+    return Action(choose(pool, settings.law, grid.row(grid.cell(observation)), 0))
+
+
+def learn(pool: Pool, grid: Grid, settings: Tabular, transition: Transition) -> None:
+    """One real transition into the pool."""
+    ending = transition.ending
+    paid = 0.0 if ending is None else reward(ending, transition.step, settings.max_steps)
+    before, after = (grid.row(grid.cell(o)) for o in (transition.before, transition.after))
+    step = Step(before, int(transition.action), after, paid, ending is not None)
+    update(pool, settings.law, step, 0)
