@@ -45,6 +45,10 @@ class OverloadError(SensorError):
     """The wrench is outside the rated range or clipped: a bound, not a measurement."""
 
 
+class BusFaultError(SensorError):
+    """The CAN controller is error-passive or off the bus, or has only just come back."""
+
+
 class FlatSignalError(SensorError):
     """Sample after sample is the same: gauges make noise, so somebody repeats an old value."""
 

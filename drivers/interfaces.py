@@ -9,11 +9,13 @@ sensor's frame. Time is the arm controller's own clock in integer nanoseconds, c
 from enum import Enum
 from typing import NamedTuple, Protocol, TypeAlias
 
+from drivers.protocol.can_error import BusState
 from drivers.protocol.rtde_states import RobotMode, SafetyMode
 
 __all__ = [
     "Arm",
     "ArmState",
+    "BusState",
     "ForceTorqueSensor",
     "Freshness",
     "Gripper",
@@ -110,7 +112,9 @@ class WrenchReading(NamedTuple):
 
 
 class SensorHealth(NamedTuple):
-    """Counts since connect: what the wire lost, repeated or bent."""
+    """Counts since connect: what the wire lost, repeated or bent; bus: as its error frames say,
+    which only kernel CAN interfaces make.
+    """
 
     pairs: int
     gaps: int
@@ -120,6 +124,7 @@ class SensorHealth(NamedTuple):
     foreign: int
     receiver_alive: bool
     last_error: str
+    bus: BusState = BusState.ACTIVE
 
 
 class ForceTorqueSensor(Protocol):

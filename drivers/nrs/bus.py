@@ -14,7 +14,8 @@ from drivers.protocol.frame import CanFrame
 
 RECEIVE_BUFFER: Final = 4_000_000
 """Bytes asked of the kernel: its default holds 278 unread frames and then drops silently."""
-
+_SO_RCVBUFFORCE: Final = 33
+"""Linux, asm-generic/socket.h; beyond net.core.rmem_max, which is 212992 on most machines."""
 
 CONFIGURED: Final = "config"
 """Interface name that leaves the choice to python-can's own configuration (~/.canrc, can.conf)."""
@@ -62,6 +63,8 @@ def _widen(bus: can.BusABC) -> None:
         socket.socket(fileno=os.dup(bus.fileno())) as duplicate,
     ):
         duplicate.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+        # Without CAP_NET_ADMIN an error, which leaves what was granted above.
+        duplicate.setsockopt(socket.SOL_SOCKET, _SO_RCVBUFFORCE, RECEIVE_BUFFER)
 
 
 def drain(bus: can.BusABC, take: Callable[[can.Message], None]) -> None:

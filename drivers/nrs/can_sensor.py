@@ -1,17 +1,20 @@
 """The force/torque sensor on CAN, as drivers.interfaces.ForceTorqueSensor."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from typing import Final
 
 import can
 
+from drivers.errors import BusFaultError
 from drivers.interfaces import SensorHealth, WrenchReading
 from drivers.nrs.bus import open_bus
+from drivers.nrs.confinement import Confinement
 from drivers.nrs.link import Link
 from drivers.nrs.plausibility import TYPICAL, Plausible
 from drivers.nrs.session import Session
 from drivers.protocol.bus_address import BusAddress
+from drivers.protocol.can_error import decode_error
 from drivers.protocol.frame import CanFrame
 
 SILENCE: Final = 1_000_000_000
@@ -46,6 +49,8 @@ class CanSensor:
         self._heard: int | None = None
         self._last_error = ""
         self._foreign = 0
+        self._confinement = Confinement()
+        self._openings = 0
 
     def connect(self) -> None:
         """Open the bus; raises LinkError."""
@@ -75,6 +80,7 @@ class CanSensor:
         """Take what the bus holds at arm time t; raises LinkError, CommandRefusedError."""
         messages = self._link.take()
         self._session.take(self._standard(messages), t)
+        self._mind_bus(messages)
         self._mind_silence(t, heard=bool(messages))
         request = self._session.due(t)
         if request is not None:
@@ -86,13 +92,18 @@ class CanSensor:
             if message.is_extended_id or message.is_remote_frame or message.is_error_frame:
                 self._foreign += 1
                 if message.is_error_frame:
-                    self._last_error = f"CAN error frame, class {message.arbitration_id:#x}"
+                    error = decode_error(message.arbitration_id, bytes(message.data))
+                    self._confinement.hear(error)
+                    self._last_error = error.text
             else:
                 yield CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
 
     def read(self, t: int) -> WrenchReading:
         """Poll, then the newest wrench; raises what poll raises, and SensorError for no wrench."""
         self.poll(t)
+        if self._confinement.owed:
+            self._session.discard()
+            raise BusFaultError(self._confinement.fault)
         return self._session.reading(t)
 
     @property
@@ -109,7 +120,17 @@ class CanSensor:
             foreign=session.foreign + self._foreign,
             receiver_alive=self._link.alive,
             last_error=next((error for error in errors if error), ""),
+            bus=self._confinement.state,
         )
+
+    def _mind_bus(self, messages: Sequence[can.Message]) -> None:
+        """Count towards the end of a fault what came after the batch's last error frame."""
+        if self._openings != self._link.openings:
+            self._openings = self._link.openings
+            self._confinement.restart()
+        if self._confinement.owed:
+            errors = (at for at, one in enumerate(reversed(messages)) if one.is_error_frame)
+            self._confinement.credit(next(errors, len(messages)))
 
     def _mind_silence(self, t: int, heard: bool) -> None:
         """A kernel interface that was deleted and made again stays silent until reopened."""

@@ -23,6 +23,7 @@ class Link:
         self._bus: can.BusABC | None = None
         self._receiver: Receiver | None = None
         self.last_error = ""
+        self.openings = 0
 
     @property
     def alive(self) -> bool:
@@ -32,6 +33,7 @@ class Link:
     def open(self) -> None:
         """Raises LinkError."""
         self._bus = self._opener()
+        self.openings += 1
         self._receiver = Receiver(self._bus) if self._background else None
 
     def close(self) -> None:

@@ -170,6 +170,10 @@ class Session:
             tared=bool(newest.flags & TARED),
         )
 
+    def discard(self) -> None:
+        """Forget the samples since the last reading: nobody may control on them."""
+        self._stream.fresh = []
+
     def _keep(self, sample: NumberedSample) -> None:
         self._plausibility.watch(sample.wrench)
         if sample.number >= self._stream.zero_from:

@@ -143,12 +143,12 @@ def test_other_kinds_of_frames_never_count_as_samples(cell, streaming):
     with can.Bus(**address.options()) as intruder:
         for kind in ({"is_extended_id": True}, {"is_remote_frame": True, "is_extended_id": False}):
             intruder.send(can.Message(arbitration_id=0x181, data=bytes(8), **kind))
-        intruder.send(can.Message(arbitration_id=0x40, is_error_frame=True))
+        intruder.send(can.Message(arbitration_id=0x2, is_error_frame=True))
         intruder.send(can.Message(arbitration_id=0x7FF, is_extended_id=False))
         streaming.poll(cell.t)
     assert streaming.health.foreign - before.foreign == 4
     assert streaming.health.pairs == before.pairs
-    assert "error frame, class 0x40" in streaming.health.last_error
+    assert streaming.health.last_error == "CAN error frame, class 0x2"
 
 
 def test_the_background_thread_hears_the_node_and_ends_with_close(cell, frames):
