@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from hil.cli import envelope, force
+from hil.cli import campaign, envelope, force
 from hil.cli.errors import FAILED
 from hil.cli.options import DEFAULT_RIG, Json, PartName, PolicyName, PolicyOption, RigOption, Seed
 
@@ -64,17 +64,25 @@ def noise(
 def insertion(
     *,
     rig: RigOption = DEFAULT_RIG,
-    seeds: Annotated[int, typer.Option(min=1, help="How many runs.")] = 20,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of the first run.")] = 1,
+    seeds: campaign.Seeds = 20,
+    seed: campaign.FirstSeed = 1,
     policy: PolicyOption = PolicyName.POSE,
     part: PartName = "FFC1",
+    jobs: campaign.Jobs = None,
+    scheduler: campaign.Scheduler = "",
+    ledger: campaign.LedgerFile = None,
+    fresh: campaign.Fresh = False,
     json: Json = False,
 ) -> None:
     """Success rate and steps of insertion over seeds, with the 95 % interval."""
     from hil.cli.shipped import read  # noqa: PLC0415
-    from hil.experiments.insertion import rows, summary  # noqa: PLC0415
+    from hil.experiments.insertion import plan, rows, summary  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
-    found, _ = read(rig)
-    runs = list(rows(found, part, policy.value, range(seed, seed + seeds)))
+    _, content = read(rig)
+    series = plan(content.decode(), part, policy.value, range(seed, seed + seeds))
+    outcomes = campaign.conduct(
+        series, jobs=jobs, scheduler=scheduler, ledger=ledger, fresh=fresh, quiet=json
+    )
+    runs = rows(series, outcomes)
     typer.echo(tables.of_insertions(runs, summary(runs), json=json), nl=False)

@@ -1,31 +1,32 @@
 """Insertions over many seeds: how often, in how many steps, and what stopped the others."""
 
 from collections import Counter
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Sequence
 from dataclasses import dataclass
-from multiprocessing import get_context
 from statistics import median
 
-from scipy.stats import binomtest  # type: ignore[attr-defined]  # re-exported beyond mypy's sight
+from pydantic import TypeAdapter
 
-from controller.course import Course
-from controller.cycle import Cycle
 from controller.outcome import Kind
-from hil.app.cell import RunningCell
-from hil.app.process import uninterrupted
-from hil.app.run import Request, run
-from hil.cell.plant.interface import PlantStep
-from hil.cell.rig import Rig
+from hil.app.inline import InlineCell
+from hil.app.near import part_named
+from hil.app.run import Request
+from hil.app.run import run as perform
+from hil.campaign.plan import Plan, grid
+from hil.campaign.run import Outcome, Report, Run, Verdict
+from hil.cell.rig import parse
+from hil.experiments.referee import Referee
+from hil.experiments.statistics import wilson
 
-SEATED = 0.1e-3
-"""How far off the slot's middle a tip inside it can be, m; beyond, it fell off the face."""
+LIMIT = 300.0
+"""Wall seconds of a run; one takes 2 to 6 on an idle core."""
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One run. seated: whether the part truly was at goal depth in the slot when released.
+    """One run. kind: how the job ended, or the runner's verdict on one that broke.
 
+    seated: whether the part truly was at goal depth in the slot when released.
     over: control periods that the force bound was passed for, up to and with the one in which the
     guard sent the stop, judged by the true lateral means; 0 when it sent none.
     """
@@ -40,65 +41,58 @@ class Row:
     over: int
 
 
-class Referee:
-    """Watches the truth of one run; knows nothing of how it is scored elsewhere."""
-
-    def __init__(self, rig: Rig) -> None:
-        self._goal = rig.task.goal_depth
-        self._bound = rig.limits.force_bound[:2]
-        self._period = rig.robot.period
-        self._first_over: int | None = None
-        self._last = 0
-        self.seated = False
-
-    def watch(self, cycle: Cycle, course: Course, cell: RunningCell) -> None:
-        truth = cell.truth()
-        self._last = cycle.t
-        part = truth.part
-        if course.name == "insert" and part.name is not None:
-            x, y, _ = part.tip
-            self.seated = part.depth >= self._goal and max(abs(x), abs(y)) < SEATED
-        self._count(truth, cycle.t)
-
-    def _count(self, truth: PlantStep, t: int) -> None:
-        means = abs(truth.wrenches[:, :2].mean(axis=0))
-        over = bool((means > self._bound).any())
-        if not over:
-            self._first_over = None
-        elif self._first_over is None:
-            self._first_over = t
-
-    def over(self) -> int:
-        """Consecutive periods over the bound at the last watched one."""
-        if self._first_over is None:
-            return 0
-        return (self._last - self._first_over) // self._period + 1
-
-
-def one(rig: Rig, seed: int, part: str, policy: str) -> Row:
-    """One run in lockstep, without a recording."""
-    referee = Referee(rig)
-    result = run(Request(rig.on_free_ports(), b"", seed, part, policy), referee.watch)
-    outcome = result.outcome
-    return Row(
-        seed,
-        outcome.kind.value,
-        outcome.reason,
-        outcome.steps,
-        result.bench,
-        result.real_time_factor,
-        referee.seated and outcome.kind is Kind.INSERTED,
-        referee.over() + 1 if outcome.kind is Kind.DANGER else 0,
+def plan(rig: str, part: str, policy: str, seeds: range) -> Plan:
+    """A run in lockstep for each seed, without a recording; RigError for a part there is not."""
+    part_named(parse(rig), part)
+    return grid(
+        f"{__name__}:one",
+        rig,
+        seeds,
+        variants=[{"part": part, "policy": policy}],
+        limit=LIMIT,
+        prepare=f"{__name__}:prepare",
     )
 
 
-def rows(rig: Rig, part: str, policy: str, seeds: range, workers: int = 2) -> Iterator[Row]:
-    """The runs, in the order of their seeds, several at a time in processes of their own."""
-    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        jobs = zip(*((rig, seed, part, policy) for seed in seeds), strict=True)
-        with uninterrupted():
-            results = pool.map(one, *jobs)
-        yield from results
+def prepare(run: Run) -> None:
+    """Load MuJoCo and the rest of a cell once, not in every run."""
+    with InlineCell(parse(run.rig).on_free_ports(), run.seed, "lockstep", record=False):
+        pass
+
+
+def one(run: Run) -> Report:
+    """Insert the part once; passed when it truly sits in the slot."""
+    rig = parse(run.rig).on_free_ports()
+    referee = Referee(rig)
+    part, policy = str(run.variant["part"]), str(run.variant["policy"])
+    result = perform(Request(rig, b"", run.seed, part, policy), referee.watch)
+    outcome = result.outcome
+    seated = referee.seated and outcome.kind is Kind.INSERTED
+    return Report(
+        figures={
+            "kind": outcome.kind.value,
+            "steps": outcome.steps,
+            "seconds": result.bench,
+            "seated": seated,
+            "over": referee.over() + 1 if outcome.kind is Kind.DANGER else 0,
+        },
+        verdict=Verdict.PASSED if seated else Verdict.FAILED,
+        reason=outcome.reason,
+        timing={"real_time_factor": result.real_time_factor},
+    )
+
+
+def rows(plan: Plan, outcomes: Sequence[Outcome]) -> list[Row]:
+    """A row for each run of the plan, those that broke included."""
+    return [_row(run.seed, outcome) for run, outcome in zip(plan.runs, outcomes, strict=True)]
+
+
+def _row(seed: int, outcome: Outcome) -> Row:
+    if not outcome.figures:
+        verdict = outcome.verdict.value
+        return Row(seed, verdict, outcome.reason, 0, 0.0, 0.0, seated=False, over=0)
+    found = {"seed": seed, "reason": outcome.reason, **outcome.figures, **outcome.timing}
+    return TypeAdapter(Row).validate_python(found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,13 +112,13 @@ class Summary:
 def summary(series: list[Row]) -> Summary:
     """What a series of runs shows; a part that is not truly seated is no success."""
     good = [row for row in series if row.seated]
-    interval = binomtest(len(good), len(series)).proportion_ci(method="wilson")
+    low, high = wilson(len(good), len(series))
     return Summary(
         runs=len(series),
         inserted=len(good),
         success=len(good) / len(series),
-        success_low=float(interval.low),
-        success_high=float(interval.high),
+        success_low=low,
+        success_high=high,
         steps_median=median(row.steps for row in good) if good else 0.0,
         endings=dict(Counter(row.kind for row in series)),
         worst_over=max(row.over for row in series),

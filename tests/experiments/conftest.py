@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hil.cell.plant.interface import Contact, PartTruth, PlantStep
-from hil.experiments.insertion import Referee
+from hil.experiments.referee import Referee
 from hil_fixtures.testbed import shipped
 
 PERIOD = 8_000_000
