@@ -35,18 +35,18 @@ def own_address(index: int) -> str:
 
 
 @contextlib.contextmanager
-def served(rig: str, host: str) -> Iterator[Cell]:
-    """`hil up RIG --host HOST` by the wall clock until the block ends."""
+def served(rig: str, host: str | None) -> Iterator[Cell]:
+    """`hil up RIG` by the wall clock until the block ends; on the rig's own host for None."""
     shown = subprocess.run(
         [HIL, "rig", "show", rig, "--json"], capture_output=True, text=True, check=True
     )
     robot = json.loads(shown.stdout)["robot"]
-    command = [HIL, "up", rig, "--host", host, "--json"]
+    command = [HIL, "up", rig, "--json", *([] if host is None else ["--host", host])]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as child:
         try:
             _wait_for_doors(child.stdout)
             home = tuple(float(str(q).removesuffix("rad")) for q in robot["home"])
-            yield Cell(host, robot["version"], home, child.pid)
+            yield Cell(host or robot["host"], robot["version"], home, child.pid)
         finally:
             _end(child)
 

@@ -8,10 +8,11 @@ from case import Verdict
 Results = Mapping[str, Mapping[str, Verdict]]
 HEAD = """# Compatibility: ur_rtde 1.6.5
 
-Written by `python scripts/ur_rtde/compatibility.py --write docs/compatibility.md`, not by hand: an unmodified ur_rtde from PyPI against `hil up plate_ur5` (CB3 3.15, 125 Hz) and `hil up
-plate_ur5e` (e-Series 5.11, 500 Hz), by the wall clock, client and cell in processes of their own. There is a
-row for every public method of the installed client; each asserts the call's effect (pose reached, force
-on the plant, output seen by another interface), not only what it returned.
+Written by `python scripts/ur_rtde/compatibility.py --write docs/compatibility.md`, not by hand.
+An unmodified ur_rtde from PyPI runs against `hil up plate_ur5` (CB3 3.15, 125 Hz) and
+`hil up plate_ur5e` (e-Series 5.11, 500 Hz) by the wall clock, client and cell in processes of their
+own. There is a row for every public method of the installed client; each asserts the call's effect
+(pose reached, force on the plant, output seen by another interface), not only what it returned.
 
 | result | means |
 |---|---|

@@ -9,12 +9,13 @@ The suite has the robot's address built in: run as root, or add it to the loopba
 """
 
 import argparse
+import json
 import re
 import subprocess
 import sys
 from pathlib import Path
 
-from cell import RIGS, served
+from cell import HIL, RIGS, served
 
 RELEASE = "ur_rtde-1.6.5"
 ADDRESS = "192.168.56.101"
@@ -52,6 +53,18 @@ def own_the_address() -> None:
         subprocess.run(["ip", "addr", "add", f"{ADDRESS}/32", "dev", "lo"], check=True)
 
 
+def _at_the_address(rig: str, work: Path) -> str:
+    """A rig file of this rig at the suite's address: --host takes loopback addresses only."""
+    shown = subprocess.run(
+        [HIL, "rig", "show", rig, "--json"], capture_output=True, text=True, check=True
+    )
+    cell = json.loads(shown.stdout)
+    cell["robot"]["host"] = ADDRESS
+    path = work / f"{rig}.yaml"
+    path.write_text(json.dumps(cell))  # JSON is YAML
+    return str(path)
+
+
 def counts(output: str) -> str:
     """Closing lines of doctest: cases and assertions."""
     lines = re.findall(r"\[doctest\] ((?:test cases|assertions):.*)", output)
@@ -62,11 +75,12 @@ def main() -> int:
     """Exit status 1 when the suite fails against a series."""
     parser = argparse.ArgumentParser(description="ur_rtde's own C++ test suite, both series")
     parser.add_argument("--work", type=Path, required=True, help="folder to build in")
-    suite = build(parser.parse_args().work)
+    work = parser.parse_args().work.resolve()
+    suite = build(work)
     own_the_address()
     failed = False
     for series, rig in RIGS.items():
-        with served(rig, ADDRESS):
+        with served(_at_the_address(rig, work), None):
             done = subprocess.run(
                 [suite], capture_output=True, text=True, timeout=LIMIT, check=False
             )

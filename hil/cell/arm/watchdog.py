@@ -41,6 +41,10 @@ class Watchdog:
         """Watch nothing: the program that asked has ended."""
         self._watched.clear()
 
+    def forget(self, name: str) -> None:
+        """Expect `name` no more."""
+        self._watched.pop(name, None)
+
     def heard(self, packages: Iterable[Values], t: int) -> None:
         """Note the inputs that arrived at t, ns."""
         if not self._watched:

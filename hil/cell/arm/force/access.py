@@ -33,6 +33,8 @@ class ForceAccess:
         box.estimate.believe(external, at)
         if external and box.watchdog.idle:
             box.watchdog.watch(WATCHED, SLOWEST, "pause", box.t)
+        elif not external:
+            box.watchdog.forget(WATCHED)
 
     def start(
         self, frame: Vector6, selection: Selection, wrench: Vector6, kind: int, limits: Vector6
