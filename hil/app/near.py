@@ -113,7 +113,7 @@ def plan(rig: Rig, part: Part, cells: tuple[int, int, int]) -> Plan:
         start=start,
         travel=Travel(),
         press=Press(force=task.contact_force),
-        search=Search(task.step, task.step_rotation, task.max_steps),
+        search=Search(task.step, task.step_rotation, task.max_steps, task.search_cells),
         insertion=Insertion(goal_depth=task.goal_depth, jam=Jam(task.on_jam)),
     )
 

@@ -44,7 +44,8 @@ def build_plant(rig: Rig, seed: int) -> Plant:
 def build_bench(rig: Rig, seed: int) -> Bench:
     """Arm, plant and sensor of a rig, everything random from `seed`; no socket, no bus."""
     rig = drawn(rig, stream(seed, "randomisation"))
-    connector, can = rig.connector, rig.latency.can
+    connector, can = rig.connector.as_placed(), rig.latency.can
+    rig = rig.model_copy(update={"connector": connector})
     return Bench(
         arm=ArmController(rig.robot, stream(seed, "arm")),
         plant=build_plant(rig, seed),

@@ -3,6 +3,7 @@
 Numbers marked assumed are not in the paper or on a card; they are axes of `randomisation`.
 """
 
+from math import cos, sin
 from typing import Literal
 
 from pydantic import Field
@@ -62,6 +63,25 @@ class Connector(Section):
     """Middle of the slot's mouth in the robot's base frame."""
     rotation: Radians = 0.0
     """About the base's z."""
+    offset_x: Metres = 0.0
+    offset_y: Metres = 0.0
+    offset_rotation: Radians = 0.0
+    """Where it truly stands off that place, along its own axes; the near side is not told."""
+
+    def as_placed(self) -> "Connector":
+        """The connector where it truly stands."""
+        c, s = cos(self.rotation), sin(self.rotation)
+        x, y, z = self.position
+        dx, dy = self.offset_x, self.offset_y
+        return self.model_copy(
+            update={
+                "position": (x + c * dx - s * dy, y + s * dx + c * dy, z),
+                "rotation": self.rotation + self.offset_rotation,
+                "offset_x": 0.0,
+                "offset_y": 0.0,
+                "offset_rotation": 0.0,
+            }
+        )
 
 
 class Part(Section):

@@ -32,6 +32,8 @@ class Task(Section):
     max_steps: int = Field(default=500, ge=1)
     start_cells: tuple[int, int, int] = (8, 8, 6)
     """Half widths of the start's uniform draw in x, y, theta, in steps."""
+    search_cells: tuple[int, int, int] = (10, 10, 8)
+    """Half widths of the search box in x, y, theta, in steps; a step out of it is not taken."""
     clearance: Length = 5e-3
     """Height above the face at which the approach begins."""
     on_jam: Literal["draw out", "step on"] = "draw out"
