@@ -215,6 +215,8 @@ def sensor_cell(kind, fakes):
         "virtual fd",
         "udp_multicast classic",
         "udp_multicast fd",
+        pytest.param("socketcan classic", marks=pytest.mark.socketcan),
+        pytest.param("socketcan fd", marks=pytest.mark.socketcan),
         "tcp",
     ]
 )

@@ -15,10 +15,12 @@ def no_thread_is_left():
     assert set(threading.enumerate()) - before == set()
 
 
-@pytest.fixture(params=["virtual", "udp_multicast"])
+@pytest.fixture(
+    params=["virtual", "udp_multicast", pytest.param("socketcan", marks=pytest.mark.socketcan)]
+)
 def gateway(request):
     gateway = open_gateway(
-        CanBus(interface=request.param), across_processes=request.param != "virtual"
+        CanBus(interface=request.param), across_processes=request.param != "virtual", fd=True
     )
     yield gateway
     gateway.close()

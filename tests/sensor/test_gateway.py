@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import drivers.protocol
+from drivers.nrs.bus import open_bus
 from drivers.protocol.bus_address import BusAddress
 from drivers.protocol.frame import CanFrame
 from drivers.protocol.nrs_can import Identifiers
@@ -19,10 +20,12 @@ from hil.cell.sensor.gateway import choose, open_gateway
 from hil.cell.sensor.node import SensorNode
 
 
-@pytest.fixture(params=["virtual", "udp_multicast"])
+@pytest.fixture(
+    params=["virtual", "udp_multicast", pytest.param("socketcan", marks=pytest.mark.socketcan)]
+)
 def gateway(request):
     gateway = open_gateway(
-        CanBus(interface=request.param), across_processes=request.param != "virtual"
+        CanBus(interface=request.param), across_processes=request.param != "virtual", fd=True
     )
     yield gateway
     gateway.close()
@@ -30,7 +33,7 @@ def gateway(request):
 
 @pytest.fixture
 def tap(gateway):
-    with can.Bus(**gateway.address.options()) as bus:
+    with open_bus(gateway.address, fd=True) as bus:
         yield bus
 
 
