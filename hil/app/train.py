@@ -1,0 +1,143 @@
+"""The paper's experiment on one cell: train with one part, then verify with another.
+
+Section 4.2: pick up the first part, so many episodes with it, put it back, pick up the next one,
+which lies otherwise in the jaws, and a few episodes more.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from dataclasses import dataclass
+from functools import partial
+
+from controller.action import observation
+from controller.course import Course, Phase
+from controller.cycle import Cycle
+from controller.job import bring_back, episode, fetch, leave
+from controller.loop import Loop
+from controller.outcome import Ending, Kind, Outcome
+from controller.place import Place
+from controller.settings import Plan
+from controller.start import bring_up
+from hil.app.cell import RunningCell
+from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
+from hil.app.record import RunRecord
+from hil.cell.errors import CellError
+from hil.cell.rig import Rig
+from learner.episode import ENDINGS, Episode
+from learner.interface import Learner
+
+TRIES = 3
+"""Attempts at gripping a part, and at an episode that a fault of the cell cut short."""
+
+Watch = Callable[[Cycle, Course, RunningCell], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Schedule:
+    """How many episodes with each part, in order; the learner is told of each new grip."""
+
+    parts: tuple[tuple[str, int], ...] = (("FFC1", 48), ("FFC2", 2))
+
+    @property
+    def episodes(self) -> int:
+        return sum(count for _, count in self.parts)
+
+
+@dataclass(frozen=True, slots=True)
+class EpisodeResult:
+    """One episode: its number from 1 and part, how it ended, search steps, bench seconds."""
+
+    number: int
+    part: str
+    kind: Kind
+    reason: str
+    steps: int
+    seconds: float
+
+
+class Trainer:
+    """Drives jobs one after the other on a connected near side; `observe` goes into the loop."""
+
+    def __init__(
+        self, rig: Rig, near: NearSide, cell: RunningCell, watch: Watch, record: RunRecord | None
+    ) -> None:
+        self._rig, self._near, self._cell = rig, near, cell
+        self._watch, self._record = watch, record
+        self._limits = limits(rig)
+        self._course: Course | None = None
+        self._loop = Loop(near.arm, near.sensor, task_frame(rig), observe=self._observe)
+        self.last: Cycle | None = None
+
+    def run(self, learner: Learner, schedule: Schedule, seed: int) -> Iterator[EpisodeResult]:
+        """The whole schedule; CellError when the cell fails more often than `TRIES` in a row."""
+        number = 0
+        for index, (name, count) in enumerate(schedule.parts):
+            plan = start_plan(self._rig, part_named(self._rig, name), seed)
+            self._insist(partial(fetch, plan=plan, gripper=self._near.gripper), name)
+            if index:
+                learner.grip_changed()
+            for _ in range(count):
+                number += 1
+                yield self._episode(learner, plan, number, name)
+            self._insist(partial(bring_back, plan=plan, gripper=self._near.gripper), name)
+
+    def _episode(self, learner: Learner, plan: Plan, number: int, part: str) -> EpisodeResult:
+        for _ in range(TRIES):
+            policy = Episode(learner)
+            begin = self._now
+            job = partial(episode, plan=plan, sensor=self._near.sensor, policy=policy)
+            outcome = self._do(job)
+            assert self.last is not None, "an episode has cycles"
+            policy.end(observation(self.last), outcome.kind)
+            seconds = (self._now - begin) * 1e-9
+            self._insist(partial(leave, plan=plan), part, relaxed=True)
+            if outcome.kind in ENDINGS:
+                return EpisodeResult(
+                    number, part, outcome.kind, outcome.reason, policy.steps, seconds
+                )
+        raise CellError(f"episode {number}: {outcome.kind.value} {TRIES} times: {outcome.reason}")
+
+    def _insist(
+        self, job: Callable[[Course], Phase[Ending]], part: str, *, relaxed: bool = False
+    ) -> None:
+        for _ in range(TRIES):
+            outcome = self._do(job, relaxed=relaxed)
+            if outcome.kind is Kind.DONE:
+                return
+        raise CellError(f"{part}: {outcome.kind.value} {TRIES} times: {outcome.reason}")
+
+    def _do(self, job: Callable[[Course], Phase[Ending]], *, relaxed: bool = False) -> Outcome:
+        bounds = self._limits.relaxed() if relaxed else self._limits
+        return self._loop.run(partial(self._watched, job), bounds)
+
+    def _watched(self, job: Callable[[Course], Phase[Ending]], course: Course) -> Phase[Ending]:
+        """The job, each cycle shown to the watcher before its command lets the cell move on."""
+        self._course = course
+        phase = job(course)
+        try:
+            setpoint = next(phase)
+            while True:
+                self._watch(course.cycle, course, self._cell)
+                setpoint = phase.send((yield setpoint))
+        except StopIteration as end:
+            ending: Ending = end.value
+            return ending
+
+    def _observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
+        self.last = cycle
+        if self._record is not None and self._course is not None:
+            self._record.cycle(cycle, setpoint, self._course)
+
+    @property
+    def _now(self) -> int:
+        return self.last.t if self.last is not None else 0
+
+
+def connected(
+    rig: Rig, cell: RunningCell, stack: ExitStack, watch: Watch, record: RunRecord | None
+) -> Trainer:
+    """A trainer on a cell that is up, its drivers connected and closed with the stack."""
+    tap = record.rtde if record else None
+    near = stack.enter_context(near_side(rig, cell.doors, tap))
+    bring_up(near.arm, near.sensor)
+    return Trainer(rig, near, cell, watch, record)
