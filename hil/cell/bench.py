@@ -60,7 +60,7 @@ class Bench:
     def tick(self) -> PlantStep:
         """One control period: the arm decides, physics moves, the sensor speaks."""
         target = self.arm.frame(self.t)
-        stage = self._geometry.stage(target.flange)
+        stage = self._stage(target.flange)
         before = self.truth.stage
         self.truth = self.plant.step(StageTarget(*stage, target.jaws_closed), self.period)
         self.t += self.period
@@ -70,6 +70,15 @@ class Bench:
         flange = self._geometry.flange(self.truth.stage, target.flange, stage)
         self._feel(flange, before)
         return self.truth
+
+    def _stage(self, flange: Pose) -> Stage:
+        """The flange's place in the task frame, theta on the turn where the stage is now.
+
+        A tool at half a turn from the connector would else go all the way round for a rounding
+        error: (0, pi, 0), UR's own favourite way of pointing down, is such a pose.
+        """
+        x, y, z, theta = self._geometry.stage(flange)
+        return x, y, z, theta + tau * round((self.truth.stage[3] - theta) / tau)
 
     def put_on_bus(self, frames: list[CanFrame]) -> None:
         """Take what the host wrote on the bus; it is on its way to the node from now on."""

@@ -19,6 +19,8 @@ from cell import HIL, RIGS, served
 
 RELEASE = "ur_rtde-1.6.5"
 ADDRESS = "192.168.56.101"
+START = [f"{q} rad" for q in (-1.6007, -1.7271, -2.203, -0.808, 1.5951, -0.031)]
+"""Where URSim starts: the suite was written there and comes back to it after every move."""
 LIMIT = 300.0
 """Longest that the suite may take against one series, s; it needs about 40."""
 
@@ -54,12 +56,12 @@ def own_the_address() -> None:
 
 
 def _at_the_address(rig: str, work: Path) -> str:
-    """A rig file of this rig at the suite's address: --host takes loopback addresses only."""
+    """A rig file of this rig at the suite's address and start; --host takes loopback only."""
     shown = subprocess.run(
         [HIL, "rig", "show", rig, "--json"], capture_output=True, text=True, check=True
     )
     cell = json.loads(shown.stdout)
-    cell["robot"]["host"] = ADDRESS
+    cell["robot"] |= {"host": ADDRESS, "home": START}
     path = work / f"{rig}.yaml"
     path.write_text(json.dumps(cell))  # JSON is YAML
     return str(path)
