@@ -198,6 +198,9 @@ class FakePort:
     def coasting(self) -> tuple[Vector6, ...]:
         return tuple(self._tail)
 
+    def speed_limits(self) -> tuple[float, float]:
+        return 1000.0, 1000.0
+
     def speed_fraction(self) -> float:
         return self.slider
 

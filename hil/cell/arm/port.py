@@ -155,6 +155,9 @@ class RobotPort(Protocol):
         """What is left of them."""
         ...
 
+    def speed_limits(self) -> tuple[float, float]:
+        """The safety system's: of a joint, rad/s, and of the TCP, m/s."""
+
     def speed_fraction(self) -> float:
         """The speed slider, 0..1."""
         ...

@@ -160,6 +160,10 @@ class ScriptPort:
     def coasting(self) -> tuple[Vector6, ...]:
         return self._box.servo.coasting
 
+    def speed_limits(self) -> tuple[float, float]:
+        limits = self._box.robot.safety
+        return limits.joint_speed, limits.tcp_speed
+
     def speed_fraction(self) -> float:
         return self._box.signals.speed_fraction
 

@@ -17,6 +17,10 @@ from hil.cell.arm.urscript.values import Blocking, Pose, Value, integer, number,
 _INSTANT: Final = 1e-6
 """s that do not make another cycle."""
 
+_MARGIN: Final = 0.95
+"""Part of the safety system's speeds that a path uses at most: a box slows a move down rather than
+stop for it. Joint speeds of a straight line near a singularity still do."""
+
 _JOINT_LIMITS: Final = (40.0, 3.14)
 _TOOL_LIMITS: Final = (10.0, 1.0)
 """Acceleration and speed that optimovej and optimovel take fractions of; assumed."""
@@ -46,7 +50,8 @@ class Motion:
         start = self._start()
         goal = self._drive.inverse(pose6(q), start) if isinstance(q, Pose) else vector6(q)
         way = max(abs(b - a) for a, b in zip(start, goal, strict=True))
-        yield from self._follow(self._joint_path(start, goal), _profile(way, v, a, t), number(r))
+        profile = _profile(way, self._allowed(v, 0), a, t)
+        yield from self._follow(self._joint_path(start, goal), profile, number(r))
 
     def movel(
         self, pose: Value, a: Value = 1.2, v: Value = 0.25, t: Value = 0.0, r: Value = 0.0
@@ -56,7 +61,7 @@ class Motion:
         start, goal = self._drive.forward(near), self._pose(pose)
         self._drive.waypoint = goal
         path = self._tool_path(lambda fraction: between(start, goal, fraction), near)
-        profile = _profile(_way(start, goal), v, a, t)
+        profile = _profile(_way(start, goal), self._allowed(v, 1), a, t)
         yield from self._follow(Path(path, _distance(start, goal)), profile, number(r))
 
     def movep(self, pose: Value, a: Value = 1.2, v: Value = 0.25, r: Value = 0.0) -> Blocking:
@@ -77,7 +82,7 @@ class Motion:
         start, goal = self._drive.forward(near), self._pose(pose_to)
         self._drive.waypoint = goal
         circle = arc(start, self._pose(pose_via), goal, fixed=integer(mode) == 1)
-        profile = _profile(circle.length, v, a, 0.0)
+        profile = _profile(circle.length, self._allowed(v, 1), a, 0.0)
         path = Path(self._tool_path(circle.pose, near), circle.length)
         yield from self._follow(path, profile, number(r))
 
@@ -94,6 +99,10 @@ class Motion:
     def get_target_waypoint(self) -> Pose:
         """The TCP pose that the last move aims at; before any, the target."""
         return Pose(self._drive.waypoint or self._drive.port.target_tcp_pose())
+
+    def _allowed(self, v: Value, limit: int) -> float:
+        """The speed asked for, or what the safety system leaves of it; limit: 0 joints, 1 TCP."""
+        return min(number(v), _MARGIN * self._drive.port.speed_limits()[limit])
 
     def _start(self) -> Vector6:
         """Where the next path begins: at the corner, if the last move was blended."""
