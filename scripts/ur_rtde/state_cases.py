@@ -2,6 +2,8 @@
 
 import math
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from case import NEVER, Case, Cases, Check
 from expect import becomes, equal, near, true_soon
@@ -20,31 +22,32 @@ def _below(pose: list[float], length: float) -> list[float]:
     return [pose[0], pose[1], pose[2] - length, *pose[3:]]
 
 
-def set_tcp(robot: Robot) -> None:
+@contextmanager
+def mounted(robot: Robot) -> Iterator[list[float]]:
+    """The tool as TCP for the block, which gets the flange's pose; all see the flange after it."""
     flange = robot.receive.getActualTCPPose()
     try:
         equal(robot.control.setTcp(TOOL), True)
-        becomes(robot.receive.getActualTCPPose, _below(flange, TOOL[2]), 0.2e-3)
+        yield flange
     finally:
         robot.control.setTcp(ZERO)
+        becomes(robot.receive.getActualTCPPose, flange, 0.2e-3)
+
+
+def set_tcp(robot: Robot) -> None:
+    with mounted(robot) as flange:
+        becomes(robot.receive.getActualTCPPose, _below(flange, TOOL[2]), 0.2e-3)
 
 
 def tcp_offset(robot: Robot) -> None:
-    try:
-        robot.control.setTcp(TOOL)
+    with mounted(robot):
         near(robot.control.getTCPOffset(), TOOL, 1e-6)
-    finally:
-        robot.control.setTcp(ZERO)
 
 
 def flange_pose(robot: Robot) -> None:
     """Told apart from the TCP's; a call returns what the one before found."""
-    flange = robot.receive.getActualTCPPose()
-    try:
-        robot.control.setTcp(TOOL)
+    with mounted(robot) as flange:
         becomes(robot.control.getActualToolFlangePose, flange, 0.2e-3)
-    finally:
-        robot.control.setTcp(ZERO)
 
 
 def set_payload(robot: Robot) -> None:
