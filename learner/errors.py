@@ -11,3 +11,11 @@ class CheckpointError(LearnerError):
 
 class UnknownLearnerError(LearnerError):
     """A name that is neither a learner of this package nor an import path of one."""
+
+
+class RingGapError(LearnerError):
+    """Transitions were overwritten before the learner took them: its experience has a hole."""
+
+
+class LearnerGoneError(LearnerError):
+    """The learner's process ended by itself."""

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from controller.action import Action, Observation
 from learner.errors import CheckpointError
@@ -16,7 +17,8 @@ from learner.interface import State, Transition
 from learner.parallel.agents import Agents
 from learner.parallel.outcomes import FAIL, Classes, Outcomes
 from learner.parallel.server import Model, evaluate
-from learner.tabular.alone import best, learn
+from learner.tabular.alone import Rows, best, learn_rows, rows
+from learner.tabular.rules import greedy
 from learner.tabular.settings import Tabular
 from learner.tabular.tables import empty, restore, saved, take_up
 
@@ -63,15 +65,33 @@ class ParallelLearner:
 
     def observe(self, transition: Transition) -> None:
         """Learn from the real step, tell the server, let the agents go on."""
-        tabular = self.settings.tabular
-        learn(self.pool, self.grid, tabular, transition)
-        self.outcomes.note(self.grid.row(self.grid.cell(transition.after)), transition.ending)
-        # "if N_rel = 1" of Algorithm 1, read as "from the first success on".
+        self.take_in(rows(self.grid, transition))
+        self.simulate(self.settings.rounds)
+
+    def take_in(self, met: Rows) -> None:
+        """One real step into the pool and the server."""
+        learn_rows(self.pool, self.settings.tabular, met)
+        self.outcomes.note(met.after, met.ending)
+        if met.ending is not None or self.settings.model is Model.LAST:
+            self._evaluate()
+
+    def simulate(self, rounds: int) -> bool:
+        """Let each agent take so many steps; False before the first real success.
+
+        "if N_rel = 1" of Algorithm 1 is read as "from the first success on".
+        """
         if not self.outcomes.successes:
-            return
-        if transition.ending is not None or self.settings.model is Model.LAST:
+            return False
+        self.agents.run(self.pool, self.grid, self.classes, self.settings.tabular, rounds)
+        return True
+
+    def greedy(self) -> NDArray[np.uint8]:
+        """The best action of each pose, ties drawn by the robot's dice, (states,)."""
+        return greedy(self.pool, self.settings.tabular.law)
+
+    def _evaluate(self) -> None:
+        if self.outcomes.successes:
             self.classes = evaluate(self.settings.model, self.grid, self.outcomes)
-        self.agents.run(self.pool, self.grid, self.classes, tabular, self.settings.rounds)
 
     def grip_changed(self) -> None:
         """Nothing: the paper's tables point where they pointed."""

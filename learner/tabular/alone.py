@@ -1,14 +1,27 @@
 """Q, double Q and weighted double Q-learning on the real robot's own steps, nothing else."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from controller.action import Action, Observation
+from controller.outcome import Kind
 from learner.grid import Grid
 from learner.interface import State, Transition
 from learner.tabular.rules import Pool, Step, choose, update
 from learner.tabular.settings import Tabular
 from learner.tabular.tables import empty, saved, take_up
 from learner.task import reward
+
+
+class Rows(NamedTuple):
+    """A transition by the rows of its poses."""
+
+    before: int
+    action: int
+    after: int
+    step: int
+    ending: Kind | None
 
 
 class TabularLearner:
@@ -46,8 +59,17 @@ def best(pool: Pool, grid: Grid, settings: Tabular, observation: Observation) ->
 
 def learn(pool: Pool, grid: Grid, settings: Tabular, transition: Transition) -> None:
     """One real transition into the pool."""
-    ending = transition.ending
-    paid = 0.0 if ending is None else reward(ending, transition.step, settings.max_steps)
+    learn_rows(pool, settings, rows(grid, transition))
+
+
+def rows(grid: Grid, transition: Transition) -> Rows:
+    """The transition as the tables see it."""
     before, after = (grid.row(grid.cell(o)) for o in (transition.before, transition.after))
-    step = Step(before, int(transition.action), after, paid, ending is not None)
-    update(pool, settings.law, step, 0)
+    return Rows(before, int(transition.action), after, transition.step, transition.ending)
+
+
+def learn_rows(pool: Pool, settings: Tabular, met: Rows) -> None:
+    """One real step into the pool."""
+    before, action, after, step, ending = met
+    paid = 0.0 if ending is None else reward(ending, step, settings.max_steps)
+    update(pool, settings.law, Step(before, action, after, paid, ending is not None), 0)

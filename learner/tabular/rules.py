@@ -113,3 +113,12 @@ def update(pool: Pool, law: Law, step: Step, i: int) -> None:
     if not step.over:
         target += law.gamma * worth(own, other, step.after, law, pool.dice, i)
     own[step.before, step.action] += law.psi * (target - own[step.before, step.action])
+
+
+@njit(cache=True)
+def greedy(pool: Pool, law: Law) -> NDArray[np.uint8]:
+    """The best action of Q1 + Q2 in each state, (states,); draws from the first word."""
+    actions = np.empty(pool.q1.shape[0], np.uint8)
+    for row in range(pool.q1.shape[0]):
+        actions[row] = largest(pool.q1[row] + pool.q2[row], law, pool.dice, 0)
+    return actions
