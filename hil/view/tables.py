@@ -14,7 +14,7 @@ from hil.recording.summary import Summary, timeline
 if TYPE_CHECKING:
     from hil.bench.run import Measured
     from hil.cell.clock import Lateness
-    from hil.cli.checks import Finding
+    from hil.doctor.finding import Finding
     from hil.experiments.insertion import Row as Insertion
     from hil.experiments.insertion import Summary as InsertionSummary
     from hil.experiments.row import Row

@@ -9,8 +9,9 @@ import pytest
 from hil.cell.errors import DoorError, RigError
 from hil.cell.rig import parse
 from hil.cli import errors, rig_text, shipped
-from hil.cli.checks import Verdict, folder, packages, ports
 from hil.cli.main import call
+from hil.doctor.finding import Verdict
+from hil.doctor.machine import folder, packages, ports
 from hil.recording.channel import Channel
 from hil.recording.channels import deadline
 from hil.recording.errors import RecordingError
@@ -157,12 +158,12 @@ def test_doctor_reports_every_check_as_json(hil, tmp_path):
     assert set(found) == {
         "python", "packages", "cpus", "timer", "ports", "multicast", "can", "rendering", "folder",
     }  # fmt: skip
-    assert status == any(entry["verdict"] == "missing" for entry in found.values())
+    assert status == any(entry["verdict"] == "fail" for entry in found.values())
 
 
 def test_doctor_finds_a_folder_that_cannot_be_written(tmp_path):
     (tmp_path / "file").touch()
-    assert folder(tmp_path / "file" / "out").verdict is Verdict.MISSING
+    assert folder(tmp_path / "file" / "out").verdict is Verdict.FAIL
     assert folder(tmp_path / "new" / "out").verdict is Verdict.OK
 
 

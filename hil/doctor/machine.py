@@ -1,4 +1,4 @@
-"""What `hil doctor` looks at: each check is a function that says what it found."""
+"""What `hil doctor` looks at on this machine: each check says what it found."""
 
 import importlib.metadata
 import os
@@ -7,12 +7,12 @@ import socket
 import sys
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from enum import StrEnum
 from pathlib import Path
 from subprocess import TimeoutExpired, run
 from tempfile import TemporaryFile
 from typing import Final
+
+from hil.doctor.finding import Finding, Verdict
 
 PYTHON: Final = (3, 11)
 PORTS: Final = range(29999, 30005)
@@ -31,24 +31,6 @@ DRAW_LIMIT: Final = 60.0
 """Wall seconds for the first off-screen frame, library load included."""
 
 
-class Verdict(StrEnum):
-    """MISSING: something required. LIMITED: a part of the testbed will not work or be slower."""
-
-    OK = "ok"
-    LIMITED = "limited"
-    MISSING = "missing"
-
-
-@dataclass(frozen=True, slots=True)
-class Finding:
-    """What was looked at, how it stands, what was found, and what to do about it."""
-
-    name: str
-    verdict: Verdict
-    found: str
-    advice: str = ""
-
-
 def findings(out: Path) -> Iterator[Finding]:
     """Every check, in the order in which a new user meets what they look at."""
     checks: tuple[Callable[[], Finding], ...] = (
@@ -63,7 +45,7 @@ def python() -> Finding:
     version = ".".join(map(str, sys.version_info[:3]))
     if sys.version_info >= PYTHON:
         return Finding("python", Verdict.OK, version)
-    return Finding("python", Verdict.MISSING, version, "install Python 3.11 or later")
+    return Finding("python", Verdict.FAIL, version, "install Python 3.11 or later")
 
 
 def packages() -> Finding:
@@ -75,7 +57,7 @@ def packages() -> Finding:
             absent.append(name)
     if absent:
         advice = f"pip install {' '.join(absent)}"
-        return Finding("packages", Verdict.MISSING, f"not installed: {', '.join(absent)}", advice)
+        return Finding("packages", Verdict.FAIL, f"not installed: {', '.join(absent)}", advice)
     return Finding("packages", Verdict.OK, ", ".join(found))
 
 
@@ -84,7 +66,7 @@ def cpus() -> Finding:
     if count > 1:
         return Finding("cpus", Verdict.OK, str(count))
     advice = "recording and cell share one core: expect a lower real-time factor"
-    return Finding("cpus", Verdict.LIMITED, "1", advice)
+    return Finding("cpus", Verdict.WARN, "1", advice)
 
 
 def timer() -> Finding:
@@ -93,7 +75,7 @@ def timer() -> Finding:
     found = f"1 ms sleeps late by {late[50] * 1e6:.0f} us (median), {late[98] * 1e6:.0f} us (p99)"
     if late[98] < 1e-3:
         return Finding("timer", Verdict.OK, found)
-    return Finding("timer", Verdict.LIMITED, found, "use the lockstep clock, or a quieter machine")
+    return Finding("timer", Verdict.WARN, found, "use the lockstep clock, or a quieter machine")
 
 
 def _oversleep() -> float:
@@ -107,7 +89,7 @@ def ports(wanted: range = PORTS) -> Finding:
     if not taken:
         return Finding("ports", Verdict.OK, f"{wanted[0]}-{wanted[-1]} free on 127.0.0.1")
     advice = "set robot.ports to 0 to take free ones"
-    return Finding("ports", Verdict.LIMITED, f"in use: {', '.join(map(str, taken))}", advice)
+    return Finding("ports", Verdict.WARN, f"in use: {', '.join(map(str, taken))}", advice)
 
 
 def _free(port: int) -> bool:
@@ -126,7 +108,7 @@ def multicast() -> Finding:
         _loop_back()
     except OSError as error:
         advice = "runs in one process need no multicast; else: ip link set lo multicast on"
-        return Finding("multicast", Verdict.LIMITED, str(error), advice)
+        return Finding("multicast", Verdict.WARN, str(error), advice)
     return Finding("multicast", Verdict.OK, f"{GROUP} loops back")
 
 
@@ -165,7 +147,7 @@ def rendering() -> Finding:
     if drawn:
         return Finding("rendering", Verdict.OK, "EGL draws off screen")
     advice = "pictures of the scene only: apt-get install libegl1 libgl1-mesa-dri"
-    return Finding("rendering", Verdict.LIMITED, "EGL cannot draw off screen", advice)
+    return Finding("rendering", Verdict.WARN, "EGL cannot draw off screen", advice)
 
 
 def folder(out: Path) -> Finding:
@@ -175,6 +157,6 @@ def folder(out: Path) -> Finding:
         TemporaryFile(dir=place).close()  # access rights alone say yes to root, even in /proc
     except OSError:
         advice = "name another folder with --out"
-        return Finding("folder", Verdict.MISSING, f"{place} is not writable", advice)
+        return Finding("folder", Verdict.FAIL, f"{place} is not writable", advice)
     free = shutil.disk_usage(place).free / 2**30
     return Finding("folder", Verdict.OK, f"{place} is writable, {free:.1f} GiB free")
