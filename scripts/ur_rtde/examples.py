@@ -68,6 +68,8 @@ def main() -> int:
     """Exit status 1 when an example fails."""
     parser = argparse.ArgumentParser(description="ur_rtde's Python examples, both series")
     parser.add_argument("source", type=Path, help="unpacked ur_rtde source distribution")
+    # A shell's background job ignores Ctrl-C, and so would the examples it starts.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     found = sorted((parser.parse_args().source / "examples" / "py").glob("*.py"))
     if not found:
         parser.error("no examples/py/*.py there")

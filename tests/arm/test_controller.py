@@ -1,5 +1,7 @@
 """The control loop: program, limits, jaws, repeatability and what the box reports of them."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -184,6 +186,16 @@ def test_an_arm_moved_out_of_its_reach_is_a_plant_error(running):
     far = Pose((3.0, 0.0, 0.0), running.box.measured.flange.rotation)
     with pytest.raises(PlantError, match="out of its reach"):
         running.arm.observe(running.t, far, ZERO6, ZERO6, part_held=False)
+
+
+def test_an_arm_a_little_out_of_its_reach_stays_as_near_as_it_can(running):
+    stretched = running.box.kinematics.forward((0.0, -1.2, 0.02, -1.5, -1.5, 0.3))
+    running.arm.observe(running.t, stretched, ZERO6, ZERO6, part_held=False)
+    x, y, z = stretched.position
+    beyond = Pose((1.01 * x, 1.01 * y, 1.01 * z), stretched.rotation)
+    running.arm.observe(running.t, beyond, ZERO6, ZERO6, part_held=False)
+    reached = running.box.kinematics.forward(running.box.measured.q)
+    assert math.dist(reached.position, beyond.position) < 0.02
 
 
 def test_the_log_tells_when(running):

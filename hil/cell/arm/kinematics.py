@@ -2,19 +2,23 @@
 
 from collections.abc import Sequence
 from importlib import import_module
-from math import cos, pi, sin
+from math import cos, dist, pi, sin
 from types import ModuleType
 from typing import Final, get_args
 
 import numpy as np
 
-from hil.cell.arm.pose import Pose, Vector3, Vector6, compose, twist_between, vector6
+from hil.cell.arm.pose import IDENTITY, Pose, Vector3, Vector6, compose, twist_between, vector6
 from hil.cell.rig.robot import Model
 
 MODELS: Final[tuple[str, ...]] = get_args(Model)
 
 _NUDGE: Final = 1e-5
 """rad; error of a central difference: 1e-10 of curvature, 1e-11 of rounding."""
+
+_ITERATIONS: Final = 8
+_DAMPING: Final = 0.05
+"""m and rad per rad: steps stay small where a stretched arm's Jacobian has no inverse."""
 
 
 class Kinematics:
@@ -48,6 +52,18 @@ class Kinematics:
             raise ValueError(f"no joint angles reach the flange at {flange.position} m")
         q1, q2, q3, q4, q5, turned = solutions[0].tolist()
         return (q1, q2, q3, q4, q5, turned - pi / 2 + q6)
+
+    def nearest(self, flange: Pose, near: Sequence[float]) -> tuple[Vector6, float]:
+        """Joint angles, rad, that come closest to a flange out of reach, and by how many m.
+
+        Damped least squares from `near` on: Wampler, IEEE Trans. SMC 16 (1986).
+        """
+        q = np.array(near, dtype=float)
+        for _ in range(_ITERATIONS):
+            miss = np.array(twist_between(self.forward(q), flange, 1.0))
+            rows = np.array(self.jacobian(q, IDENTITY))  # (6, 6)
+            q += rows.T @ np.linalg.solve(rows @ rows.T + _DAMPING**2 * np.identity(6), miss)
+        return vector6(q.tolist()), dist(self.forward(q).position, flange.position)
 
     def _load(self, flange: Pose, c: float, s: float) -> None:
         """Put the flange, turned about its own axis to q6 = pi/2, into the solver's matrix.
