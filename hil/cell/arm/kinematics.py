@@ -58,12 +58,13 @@ class Kinematics:
 
         Damped least squares from `near` on: Wampler, IEEE Trans. SMC 16 (1986).
         """
-        q = np.array(near, dtype=float)
+        q = vector6(near)
         for _ in range(_ITERATIONS):
-            miss = np.array(twist_between(self.forward(q), flange, 1.0))
-            rows = np.array(self.jacobian(q, IDENTITY))  # (6, 6)
-            q += rows.T @ np.linalg.solve(rows @ rows.T + _DAMPING**2 * np.identity(6), miss)
-        return vector6(q.tolist()), dist(self.forward(q).position, flange.position)
+            miss = twist_between(self.forward(q), flange, 1.0)
+            rows = np.array([list(row) for row in self.jacobian(q, IDENTITY)])  # (6, 6)
+            damped = rows @ rows.T + _DAMPING**2 * np.identity(6)
+            q = vector6((np.array(q) + rows.T @ np.linalg.solve(damped, miss)).tolist())
+        return q, dist(self.forward(q).position, flange.position)
 
     def _load(self, flange: Pose, c: float, s: float) -> None:
         """Put the flange, turned about its own axis to q6 = pi/2, into the solver's matrix.
