@@ -33,3 +33,9 @@ def test_a_slow_motion_is_allowed():
 )
 def test_a_motion_beyond_a_limit_is_refused_with_the_numbers(refused, why):
     assert why in str(judge(refused, LIMITS))
+
+
+def test_a_joint_that_braked_beyond_its_range_may_come_back_but_not_stay_out():
+    outside = (6.31, *HOME[1:])
+    assert judge(motion(step=-0.001, q=outside), LIMITS) is None
+    assert judge(motion(step=0.001, q=outside), LIMITS) is not None

@@ -25,7 +25,7 @@ def judge(motion: Motion, limits: Safety) -> str | None:
     """
     step = max(map(abs, map(float.__sub__, motion.next_q, motion.q)))
     outside = out_of_range(motion.next_q, limits)
-    if outside is not None:
+    if outside is not None and not _comes_back(motion, limits):
         return outside
     if step > limits.servo_step:
         return _exceeded("set-point jump", step, limits.servo_step, "rad")
@@ -46,6 +46,17 @@ def out_of_range(q: Sequence[float], limits: Safety) -> str | None:
     if farthest > limits.joint_range:
         return _exceeded("joint position", farthest, limits.joint_range, "rad")
     return None
+
+
+def _comes_back(motion: Motion, limits: Safety) -> bool:
+    """Whether every joint beyond its range moves inwards.
+
+    An arm that braked from speed stands a little outside; a box lets it be driven back.
+    """
+    pairs = zip(motion.q, motion.next_q, strict=True)
+    return all(
+        abs(after) <= limits.joint_range or abs(after) < abs(before) for before, after in pairs
+    )
 
 
 def _exceeded(what: str, found: float, allowed: float, unit: str) -> str:
