@@ -5,7 +5,6 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from importlib.util import find_spec
 
-from hil.campaign.code import identity
 from hil.campaign.errors import CampaignError
 from hil.campaign.ledger import Ledger
 from hil.campaign.plan import Plan
@@ -26,13 +25,16 @@ Watch = Callable[[Run, Outcome], None]
 
 
 def carry_out(
-    plan: Plan, ledger: Ledger, workers: Workers, watch: Watch = lambda run, outcome: None
+    plan: Plan,
+    ledger: Ledger,
+    workers: Workers,
+    code: str,
+    watch: Watch = lambda run, outcome: None,
 ) -> list[Outcome]:
-    """Outcomes of the plan's runs, in its order; the same for any workers.
+    """Outcomes of the plan's runs, in its order; the same for any workers. code: who computes.
 
     Each is in the ledger before the next is awaited, so an interrupted campaign goes on there.
     """
-    code = identity()
     known = {run.key: outcome for run in plan.runs if (outcome := ledger.find(run, code))}
     for run in plan.runs:
         if run.key in known:
@@ -45,11 +47,6 @@ def carry_out(
                 known[run.key] = outcome
                 watch(run, outcome)
     return [known[run.key] for run in plan.runs]
-
-
-def forget(plan: Plan, ledger: Ledger) -> None:
-    """Drop what the ledger holds of the plan, so that today's code computes it again."""
-    ledger.forget(plan.runs, identity())
 
 
 def again(run: Run, limit: float) -> Outcome:
@@ -76,4 +73,4 @@ def _dask(plan: Plan, scheduler: str, jobs: int, code: str) -> Iterator[Pool]:
             "a scheduler needs dask: pip install 'hil-testbed[campaign]', or leave it out"
         ) from None
     with cluster.connected(scheduler, jobs) as client:
-        yield cluster.DaskPool(client, plan.work, code)
+        yield cluster.DaskPool(client, plan.work, code if scheduler else "")

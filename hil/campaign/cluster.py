@@ -34,8 +34,8 @@ class Slots(WorkerPlugin):
         self._opened: list[Slot] = []
 
     def perform(self, run: Run, code: str) -> Outcome:
-        """One run on an idle slot; CampaignError when this worker has other code."""
-        if code != self._code:
+        """One run on an idle slot; CampaignError unless this worker has the code asked for."""
+        if code not in {"", self._code}:
             raise CampaignError(f"a worker runs {self._code}, this campaign {code}; update it")
         slot = self._slot()
         slot.submit(run)
@@ -63,7 +63,7 @@ def _perform(run: Run, code: str) -> Outcome:
 
 
 class DaskPool:
-    """Performs runs on the workers of a client."""
+    """Performs runs on the workers of a client. code: what theirs must be, "" for any."""
 
     def __init__(self, client: Client, work: Work, code: str) -> None:
         self._client, self._work, self._code = client, work, code

@@ -53,16 +53,17 @@ def conduct(
     quiet: bool,
 ) -> "list[Outcome]":
     """Carry a plan out with the options that every experiment has; outcomes in its order."""
-    from hil.campaign.campaign import Workers, carry_out, forget  # noqa: PLC0415
+    from hil.campaign.campaign import Workers, carry_out  # noqa: PLC0415
+    from hil.campaign.code import identity  # noqa: PLC0415
     from hil.campaign.ledger import opened  # noqa: PLC0415
     from hil.campaign.progress import CampaignProgress  # noqa: PLC0415
 
-    workers = Workers(jobs or _cores(), scheduler)
+    workers, code = Workers(jobs or _cores(), scheduler), identity()
     with opened(ledger) as kept, CampaignProgress(len(plan.runs), quiet=quiet) as progress:
         if fresh:
-            forget(plan, kept)
+            kept.forget(plan.runs, code)
         try:
-            return carry_out(plan, kept, workers, progress.update)
+            return carry_out(plan, kept, workers, code, progress.update)
         except KeyboardInterrupt:
             print(_left(progress.done, len(plan.runs), ledger), file=sys.stderr)
             raise

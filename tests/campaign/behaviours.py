@@ -32,11 +32,6 @@ def noted(run: Run) -> Report:
     return Report({"square": run.seed**2})
 
 
-def slow(run: Run) -> Report:
-    time.sleep(0.05)
-    return noted(run)
-
-
 def raising(run: Run) -> Report:
     raise RuntimeError(f"no such\nthing as {run.seed}")
 
@@ -70,5 +65,27 @@ def forking(run: Run) -> Report:
     return Report({})
 
 
+def sleeping(run: Run) -> Report:
+    """Sleeps once its number is in the file that the variant names."""
+    path = Path(str(run.variant["pid"]))
+    path.with_suffix(".part").write_text(str(os.getpid()), encoding="utf-8")
+    path.with_suffix(".part").rename(path)
+    time.sleep(3600)
+    return Report({})
+
+
+def talking(run: Run) -> Report:
+    print("to whom it may concern")
+    return Report({"threads": os.environ["OMP_NUM_THREADS"]})
+
+
 def worker(run: Run) -> Report:
     return Report({"worker": os.getppid()})
+
+
+def prepared(run: Run) -> Report:
+    return Report({"prepared": os.environ.get("PREPARED", "")})
+
+
+def prepare(run: Run) -> None:
+    os.environ["PREPARED"] = run.rig
