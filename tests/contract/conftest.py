@@ -3,6 +3,7 @@
 from contextlib import closing, contextmanager
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from time import monotonic_ns, sleep
 
 import numpy as np
 import pytest
@@ -10,10 +11,13 @@ import pytest
 from drivers.nrs.can_sensor import CanSensor
 from drivers.nrs.tcp_sensor import TcpSensor
 from drivers.ur.gripper import DigitalGripper
+from hil.app.near import near_side
+from hil.app.real import doors
+from hil.app.wrist import wrist_sensor
 from hil.cell.arm.kinematics import Kinematics
 from hil.cell.assemble import build_bench
 from hil.cell.geometry import TaskGeometry
-from hil.cell.rig import parse
+from hil.cell.rig import load, parse
 from hil.cell.rig.task import Link
 from hil.cell.sensor.gateway import open_gateway
 from hil.cell.sensor.tcp_port import TcpPort
@@ -26,6 +30,12 @@ SERIES = {
 
 
 ON_TCP = "sensor: {boot_time: 8 ms, wire: tcp, tcp: {port: 0}}"
+
+
+def pytest_addoption(parser):
+    group = parser.getgroup("hil contract")
+    group.addoption("--rig", metavar="FILE", help="run the contract over this rig's devices too")
+    group.addoption("--moves", action="store_true", help="the arm of --rig may move")
 
 
 def rig_of(series, more=""):
@@ -85,8 +95,15 @@ class ArmUnderTest:
         return self.arm.read()
 
 
-@pytest.fixture(params=["fake", "cb3", "e-series"])
+@pytest.fixture(params=["fake", "cb3", "e-series", pytest.param("real", marks=pytest.mark.real_ok)])
 def subject(request, fakes):
+    if request.param == "real":
+        rig = named_rig(request.config)
+        if not request.config.getoption("--moves"):
+            pytest.skip("moves the real arm by 10 mm along x and sets outputs 3 and 5: add --moves")
+        with near_side(rig, doors(rig)) as near:
+            yield ArmUnderTest(near.arm)
+        return
     if request.param == "fake":
         arm = fakes.FakeArm(fakes.SpringWorld())
         yield ArmUnderTest(arm)
@@ -190,6 +207,33 @@ class StreamSensorCell:
         pytest.fail(reason)
 
 
+class RealSensorCell:
+    """The sensor of a rig's devices, which keep their own time: a step is a period of the wall."""
+
+    def __init__(self, rig):
+        self.noise = (rig.sensor.errors.noise_force, rig.sensor.errors.noise_torque)
+        self.sensor = wrist_sensor(rig, doors(rig))
+        self._period = rig.robot.period
+
+    @property
+    def t(self):
+        return monotonic_ns()
+
+    def step(self):
+        sleep(self._period * 1e-9)
+
+    def silence(self):
+        pytest.skip("nobody silences a real wire")
+
+
+def named_rig(config):
+    """The rig that `--rig FILE` names; skips without one."""
+    file = config.getoption("--rig", default=None)
+    if file is None:
+        pytest.skip("needs --rig FILE: a rig whose devices are up")
+    return load(Path(file))
+
+
 @contextmanager
 def sensor_cell(kind, fakes):
     if kind == "tcp":
@@ -211,6 +255,7 @@ def sensor_cell(kind, fakes):
 @pytest.fixture(
     params=[
         "fake",
+        pytest.param("real", marks=pytest.mark.real_ok),
         "virtual classic",
         "virtual fd",
         "udp_multicast classic",
@@ -221,6 +266,11 @@ def sensor_cell(kind, fakes):
     ]
 )
 def cell(request, fakes):
+    if request.param == "real":
+        cell = RealSensorCell(named_rig(request.config))
+        yield cell
+        cell.sensor.close()
+        return
     with sensor_cell(request.param, fakes) as cell:
         yield cell
         cell.sensor.close()
