@@ -34,8 +34,9 @@ def status(error: BaseException) -> int | None:
     from hil.cell.errors import CellError, RigError  # noqa: PLC0415
     from hil.recording.errors import RecordingError  # noqa: PLC0415
     from hil.tuning.errors import TuningError  # noqa: PLC0415
+    from learner.errors import LearnerError  # noqa: PLC0415
 
-    if isinstance(error, RigError | RecordingError | CampaignError | TuningError):
+    if isinstance(error, RigError | RecordingError | CampaignError | TuningError | LearnerError):
         return BAD_INPUT
     if isinstance(error, DriverError | CellError | ControlError | OSError):
         return FAILED
