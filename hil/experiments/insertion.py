@@ -8,13 +8,13 @@ from statistics import median
 from pydantic import TypeAdapter
 
 from controller.outcome import Kind
-from hil.app.inline import InlineCell
 from hil.app.near import part_named
 from hil.app.run import Request
 from hil.app.run import run as perform
 from hil.campaign.plan import Plan, grid
 from hil.campaign.run import Outcome, Report, Run, Verdict
 from hil.cell.rig import parse
+from hil.experiments import warm_up
 from hil.experiments.referee import Referee
 from hil.experiments.statistics import wilson
 
@@ -50,14 +50,8 @@ def plan(rig: str, part: str, policy: str, seeds: range) -> Plan:
         seeds,
         variants=[{"part": part, "policy": policy}],
         limit=LIMIT,
-        prepare=f"{__name__}:prepare",
+        prepare=f"{warm_up.__name__}:cell",
     )
-
-
-def prepare(run: Run) -> None:
-    """Load MuJoCo and the rest of a cell once, not in every run."""
-    with InlineCell(parse(run.rig).on_free_ports(), run.seed, "lockstep", record=False):
-        pass
 
 
 def one(run: Run) -> Report:
