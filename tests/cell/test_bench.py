@@ -83,7 +83,7 @@ def test_eight_pairs_come_with_every_period(make_bench):
 def test_a_standing_arm_feels_no_force_because_its_payload_is_known(make_bench, plant):
     hand = make_bench(plant=plant).run(10)
     assert hand.bench.truth.wrenches[-1][2] == pytest.approx(0.6 * G, abs=1e-6)
-    assert hand.values[-1]["actual_TCP_force"] == pytest.approx((0,) * 6, abs=1e-6)
+    assert hand.bench.arm.box.measured.force == pytest.approx((0,) * 6, abs=1e-6)
 
 
 def test_the_arm_reports_where_the_plant_put_it(make_bench, plant):
