@@ -84,5 +84,11 @@ def _sensor_port(rig: Rig, bench: Bench, seed: int) -> TcpPort | None:
     """The sensor's TCP front where the rig has one; raises DoorError."""
     if not rig.sensor.serves_tcp:
         return None
-    rng, say = stream(seed, "sensor_tcp"), bench.arm.box.say
-    return TcpPort(bench.node, rig.sensor, rig.robot.host, rig.latency.sensor_tcp, rng, say)
+    return TcpPort(
+        bench.node,
+        rig.sensor,
+        host=rig.robot.host,
+        laws=rig.latency.sensor_tcp,
+        rng=stream(seed, "sensor_tcp"),
+        say=bench.arm.box.say,
+    )

@@ -125,9 +125,7 @@ def signal(stretch: Stretch, sensor: Sensor) -> Finding:
         errors.noise_torque + sensor.resolution_torque,
     )
     if force > 3 * expected[0] or torque > 3 * expected[1]:
-        advice = (
-            "stop what moves or shakes the arm; check shield and ground"
-        )
+        advice = "stop what moves or shakes the arm; check shield and ground"
         return Finding("sensor signal", Verdict.WARN, found, advice)
     return Finding("sensor signal", Verdict.OK, found)
 

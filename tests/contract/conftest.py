@@ -3,7 +3,6 @@
 from contextlib import closing, contextmanager
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from time import monotonic_ns, sleep
 
 import numpy as np
 import pytest
@@ -13,7 +12,6 @@ from drivers.nrs.tcp_sensor import TcpSensor
 from drivers.ur.gripper import DigitalGripper
 from hil.app.near import near_side
 from hil.app.real import doors
-from hil.app.wrist import wrist_sensor
 from hil.cell.arm.kinematics import Kinematics
 from hil.cell.assemble import build_bench
 from hil.cell.geometry import TaskGeometry
@@ -99,8 +97,6 @@ class ArmUnderTest:
 def subject(request, fakes):
     if request.param == "real":
         rig = named_rig(request.config)
-        if not request.config.getoption("--moves"):
-            pytest.skip("moves the real arm by 10 mm along x and sets outputs 3 and 5: add --moves")
         with near_side(rig, doors(rig)) as near:
             yield ArmUnderTest(near.arm)
         return
@@ -119,6 +115,7 @@ def subject(request, fakes):
 class FakeSensorCell:
     """The fake sensor on its fake arm; load: N and N·m, sensor frame."""
 
+    keeps_its_zero = False
     noise = (0.0, 0.0)
 
     def __init__(self, fakes, load):
@@ -143,6 +140,7 @@ class FakeSensorCell:
 class BusSensorCell:
     """The CAN driver against a bench in this process, over a real python-can bus."""
 
+    keeps_its_zero = False
     noise = (0.05, 0.0008)
 
     def __init__(self, gateway, fd):
@@ -171,6 +169,7 @@ class BusSensorCell:
 class StreamSensorCell:
     """The TCP driver against a bench in this process, over a real TCP connection."""
 
+    keeps_its_zero = False
     noise = (0.05, 0.0008)
 
     def __init__(self, rig):
@@ -178,10 +177,10 @@ class StreamSensorCell:
         self._port = TcpPort(
             self._bench.node,
             rig.sensor,
-            rig.robot.host,
-            Link(),
-            np.random.default_rng(1),
-            self._refuse,
+            host=rig.robot.host,
+            laws=Link(),
+            rng=np.random.default_rng(1),
+            say=self._refuse,
         )
         self.sensor = TcpSensor(*self._port.address)
 
@@ -208,29 +207,31 @@ class StreamSensorCell:
 
 
 class RealSensorCell:
-    """The sensor of a rig's devices, which keep their own time: a step is a period of the wall."""
+    """The sensor of a rig's devices, paced by its arm, which stands still: a step is a package."""
 
-    def __init__(self, rig):
+    keeps_its_zero = True
+
+    def __init__(self, rig, near):
         self.noise = (rig.sensor.errors.noise_force, rig.sensor.errors.noise_torque)
-        self.sensor = wrist_sensor(rig, doors(rig))
-        self._period = rig.robot.period
-
-    @property
-    def t(self):
-        return monotonic_ns()
+        self.sensor, self._arm = near.sensor, near.arm
+        self._arm.connect()
+        self.t = self._arm.read().t
 
     def step(self):
-        sleep(self._period * 1e-9)
+        self._arm.hold()
+        self.t = self._arm.read().t
 
     def silence(self):
         pytest.skip("nobody silences a real wire")
 
 
 def named_rig(config):
-    """The rig that `--rig FILE` names; skips without one."""
+    """The rig that `--rig FILE` names; skips unless its arm may move."""
     file = config.getoption("--rig", default=None)
     if file is None:
         pytest.skip("needs --rig FILE: a rig whose devices are up")
+    if not config.getoption("--moves"):
+        pytest.skip("powers the arm, moves it 10 mm along x, sets outputs 3 and 5: add --moves")
     return load(Path(file))
 
 
@@ -267,9 +268,9 @@ def sensor_cell(kind, fakes):
 )
 def cell(request, fakes):
     if request.param == "real":
-        cell = RealSensorCell(named_rig(request.config))
-        yield cell
-        cell.sensor.close()
+        rig = named_rig(request.config)
+        with near_side(rig, doors(rig)) as near:
+            yield RealSensorCell(rig, near)
         return
     with sensor_cell(request.param, fakes) as cell:
         yield cell

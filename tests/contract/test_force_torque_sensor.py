@@ -71,7 +71,8 @@ def test_every_sample_of_a_clean_wire_is_given_once(streaming):
     assert counters == list(range(counters[0], counters[0] + len(counters)))
     after = streaming.sensor.health
     assert after.pairs - before.pairs == len(counters)
-    assert (after.gaps, after.torn, after.malformed) == (0, 0, 0)
+    lost = ("gaps", "torn", "malformed")
+    assert [getattr(after, name) - getattr(before, name) for name in lost] == [0, 0, 0]
 
 
 def test_a_second_read_in_the_same_period_holds_the_last_sample(streaming):
@@ -115,6 +116,8 @@ def test_a_tare_brings_the_mean_to_zero_and_says_so(streaming):
 
 
 def test_before_a_tare_the_tools_weight_is_felt_and_not_marked(streaming):
+    if streaming.keeps_its_zero:
+        pytest.skip("a sensor that was on before may hold a zero of then")
     (reading,) = readings(streaming, 1)
     assert not reading.tared
     assert max(map(abs, reading.wrench[:3])) > 1.0

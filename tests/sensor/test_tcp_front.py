@@ -32,7 +32,12 @@ class Cell:
         self.said = []
         self.node = SensorNode(sensor, np.random.default_rng(7))
         self.port = TcpPort(
-            self.node, sensor, "127.0.0.1", laws, np.random.default_rng(1), self.said.append
+            self.node,
+            sensor,
+            host="127.0.0.1",
+            laws=laws,
+            rng=np.random.default_rng(1),
+            say=self.said.append,
         )
         self.t = 0
         self.frames = []
@@ -263,5 +268,6 @@ def test_a_port_in_use_is_named_with_the_way_out():
     with socket.create_server(("127.0.0.1", 0)) as taken:
         sensor = Sensor(tcp=SensorTcp(port=taken.getsockname()[1]))
         node = SensorNode(sensor, np.random.default_rng(0))
+        rng = np.random.default_rng(0)
         with pytest.raises(DoorError, match=r"set sensor\.tcp\.port to 0"):
-            TcpPort(node, sensor, "127.0.0.1", Link(), np.random.default_rng(0), print)
+            TcpPort(node, sensor, host="127.0.0.1", laws=Link(), rng=rng, say=print)

@@ -21,13 +21,15 @@ CLIENTS: Final = 8
 class TcpPort:
     """Listens from construction on (DoorError when it cannot); never waits.
 
-    host: where to listen unless the sensor's section says. say: told in one line why a client was cut off or turned away.
+    host: where to listen unless the sensor's section says. say: told in one line why a client was
+    cut off or turned away.
     """
 
     def __init__(
         self,
         node: SensorNode,
         sensor: Sensor,
+        *,
         host: str,
         laws: Laws,
         rng: np.random.Generator,
