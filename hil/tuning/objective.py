@@ -16,10 +16,10 @@ UNSTABLE = 10.0
 
 
 class Worth(NamedTuple):
-    """cost: to be minimised. violations: by how much each constraint is passed; <= 0 is kept."""
+    """cost: to be minimised. violations: how far each constraint is passed, <= 0 if kept."""
 
     cost: float
-    violations: tuple[float, ...]
+    violations: dict[str, float]
 
 
 def worth(study: StudyFile, rig: Rig, values: dict[str, float | bool]) -> Worth:
@@ -27,8 +27,8 @@ def worth(study: StudyFile, rig: Rig, values: dict[str, float | bool]) -> Worth:
     runs = [direct(rig, seed, variant) for variant in variants(study, values)
             for seed in study.seeds]  # fmt: skip
     cost = sum(_cost(study, figures) for figures in runs) / len(runs)
-    return Worth(cost, tuple(_violation(runs, name, most)
-                             for name, most in study.constraints.items()))  # fmt: skip
+    violations = {str(n): _violation(runs, n, most) for n, most in study.constraints.items()}
+    return Worth(cost, violations)
 
 
 def variants(study: StudyFile, values: dict[str, float | bool]) -> list[Variant]:

@@ -5,7 +5,6 @@ from pathlib import Path
 import yaml
 from optuna.trial import FrozenTrial
 
-from hil.tuning.search import VIOLATIONS
 from hil.tuning.study_file import StudyFile, nested
 
 
@@ -23,8 +22,8 @@ def write(path: Path, study: StudyFile, trial: FrozenTrial, command: str) -> Non
 
 
 def _kept(trial: FrozenTrial) -> str:
-    broken = [violation for violation in trial.user_attrs[VIOLATIONS] if violation > 0.0]
-    return f"{len(broken)} constraints broken" if broken else "all constraints kept"
+    broken = [name for name, violation in trial.constraints.items() if violation > 0.0]
+    return f"broken: {', '.join(broken)}" if broken else "all constraints kept"
 
 
 def _rounded(values: dict[str, float]) -> dict[str, float | bool]:

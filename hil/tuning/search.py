@@ -14,8 +14,6 @@ from hil.tuning.errors import TuningError
 from hil.tuning.objective import worth
 from hil.tuning.study_file import StudyFile
 
-VIOLATIONS = "violations"
-
 
 def search(
     study: StudyFile,
@@ -28,7 +26,7 @@ def search(
 ) -> FrozenTrial:
     """The best trial after `trials` of them, those in the journal included; raises TuningError."""
     optuna.logging.set_verbosity(optuna.logging.ERROR)
-    sampler = TPESampler(seed=seed, multivariate=True, constraints_func=_violations)
+    sampler = TPESampler(seed=seed, multivariate=True)
     storage = JournalStorage(JournalFileBackend(str(journal)))
     found = optuna.create_study(
         storage=storage, study_name=study.law, sampler=sampler, load_if_exists=True
@@ -63,13 +61,9 @@ def _value(study: StudyFile, rig: Rig, trial: Trial) -> float:
         for name, r in study.parameters.items()
     }
     found = worth(study, rig, values)
-    trial.set_user_attr(VIOLATIONS, found.violations)
+    for name, violation in found.violations.items():
+        trial.set_constraint(name, violation)
     return found.cost
-
-
-def _violations(trial: FrozenTrial) -> Sequence[float]:
-    broken: Sequence[float] = trial.user_attrs[VIOLATIONS]
-    return broken
 
 
 def best(trials: Sequence[FrozenTrial]) -> FrozenTrial:
@@ -80,4 +74,4 @@ def best(trials: Sequence[FrozenTrial]) -> FrozenTrial:
 
 
 def _excess(trial: FrozenTrial) -> float:
-    return sum(max(0.0, violation) for violation in _violations(trial))
+    return sum(max(0.0, violation) for violation in trial.constraints.values())

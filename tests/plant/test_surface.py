@@ -17,7 +17,7 @@ from hil.cell.rig import parse
 from hil.experiments.press import PERIOD, with_values
 from hil_fixtures.testbed import shipped
 
-WEIGHT = 0.2 * 9.81
+WEIGHT = 0.05 * 9.81
 RELIEF = Relief(floor=-5e-3, amplitude=4e-3, wavelength=80e-3, length=0.1)
 
 
