@@ -2,6 +2,9 @@
 
 import json
 import signal
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -59,3 +62,14 @@ def test_a_dry_run_names_the_devices_and_opens_nothing(hil, real, tmp_path):
     assert intent["rig"] == "ffc_ur5 (real)"
     assert intent["sensor"].startswith("TCP 127.0.0.1:")
     assert not (tmp_path / "out").exists()
+
+
+def test_the_contract_suites_hold_at_the_addresses_of_a_real_rig(real, tmp_path):
+    suites = Path(__file__).parents[1] / "contract"
+    command = ["-m", "pytest", str(suites), "-q", "-m", "real_ok", "--moves", "--rig"]
+    ended = subprocess.run(
+        [sys.executable, *command, str(tmp_path / real("tcp"))],
+        cwd=suites.parents[1], capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert ended.returncode == 0, ended.stdout
+    assert " passed" in ended.stdout
