@@ -21,6 +21,11 @@ class Verdict(StrEnum):
     CRASH = "crash"
     HANG = "hang"
 
+    @property
+    def broken(self) -> bool:
+        """Whether the run has no figures, as its function never came back."""
+        return self in {Verdict.ERROR, Verdict.CRASH, Verdict.HANG}
+
 
 class Key(NamedTuple):
     """What makes two runs the same run. rig: SHA-256 of its text. variant: canonical JSON."""

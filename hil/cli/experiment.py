@@ -74,8 +74,8 @@ def insertion(
     ledger: campaign.LedgerFile = None,
     fresh: campaign.Fresh = False,
     json: Json = False,
-) -> None:
-    """Success rate and steps of insertion over seeds, with the 95 % interval."""
+) -> int:
+    """Success rate and steps of insertion over seeds; exit status 1 when a run broke."""
     from hil.cli.shipped import read  # noqa: PLC0415
     from hil.experiments.insertion import plan, rows, summary  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
@@ -87,3 +87,4 @@ def insertion(
     )
     runs = rows(series, outcomes)
     typer.echo(tables.of_insertions(runs, summary(runs), json=json), nl=False)
+    return FAILED if any(outcome.verdict.broken for outcome in outcomes) else 0

@@ -82,7 +82,7 @@ def rows(plan: Plan, outcomes: Sequence[Outcome]) -> list[Row]:
 
 
 def _row(seed: int, outcome: Outcome) -> Row:
-    if not outcome.figures:
+    if outcome.verdict.broken:
         verdict = outcome.verdict.value
         return Row(seed, verdict, outcome.reason, 0, 0.0, 0.0, seated=False, over=0)
     found = {"seed": seed, "reason": outcome.reason, **outcome.figures, **outcome.timing}
