@@ -38,7 +38,6 @@ def test_candump_and_cantools_decode_the_live_bus(vcan, tool, cantools, dbc):
     counters = [int(found) for found in re.findall(r"F_Counter: (\d+)", lines)]
     assert len(counters) > FRAMES // 3
     assert all((after - before) % 256 == 1 for before, after in pairwise(counters))
-    assert lines.count("Fz: ") == len(counters)
 
 
 def test_tshark_reads_what_candump_wrote(vcan, tool, tmp_path):
