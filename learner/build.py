@@ -20,9 +20,13 @@ def learners() -> Mapping[str, Maker]:
     """The learners of this package by name.
 
     ql, double-ql, wdql-alone: the robot's own steps only. wdql: the paper's Algorithm 1, n = 6.
+    belief: plans on what it believes of the slot. search: search and memory, no learning.
     """
     # Imported here: compiling the rules takes a second that nothing else needs to wait for.
+    from learner.belief.learner import BeliefLearner  # noqa: PLC0415
+    from learner.belief.settings import Belief  # noqa: PLC0415
     from learner.parallel.wdql import Parallel, ParallelLearner  # noqa: PLC0415
+    from learner.search.learner import SearchLearner  # noqa: PLC0415
     from learner.tabular.alone import TabularLearner  # noqa: PLC0415
     from learner.tabular.settings import Rule, Tabular  # noqa: PLC0415
 
@@ -32,11 +36,19 @@ def learners() -> Mapping[str, Maker]:
     def parallel(grid: Grid, max_steps: int, rng: np.random.Generator) -> Learner:
         return ParallelLearner(grid, Parallel(Tabular(max_steps=max_steps)), rng)
 
+    def belief(grid: Grid, max_steps: int, rng: np.random.Generator) -> Learner:
+        return BeliefLearner(grid, Belief(), rng)
+
+    def search(grid: Grid, max_steps: int, rng: np.random.Generator) -> Learner:
+        return SearchLearner(grid, rng)
+
     return {
+        "belief": belief,
         "ql": partial(alone, Rule.SINGLE),
         "double-ql": partial(alone, Rule.DOUBLE),
         "wdql-alone": partial(alone, Rule.WEIGHTED),
         "wdql": parallel,
+        "search": search,
     }
 
 

@@ -19,3 +19,7 @@ class RingGapError(LearnerError):
 
 class LearnerGoneError(LearnerError):
     """The learner's process ended by itself."""
+
+
+class UnknownWorldError(LearnerError):
+    """A name that is no world of this package."""

@@ -1,0 +1,1 @@
+"""A belief over where the slot is, and the way planned on it anew at every step."""

@@ -1,0 +1,1 @@
+"""Search and memory without learning: what any learner has to beat."""

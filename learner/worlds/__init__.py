@@ -1,0 +1,1 @@
+"""The search task without robot or physics: thousands of episodes a minute."""

@@ -1,0 +1,132 @@
+"""A world of one slot in a box of poses, after a model's numbers."""
+
+import numpy as np
+
+from controller.action import Action, Observation
+from controller.outcome import Kind
+from learner.grid import Cell, Grid
+from learner.worlds.interface import Met
+from learner.worlds.model import STEP, TURN, Model
+
+_TELLS = 3
+"""Steps from the slot, along every axis, within which forces may show the way."""
+
+Offset = tuple[float, float, float]
+
+
+class SlotWorld:
+    """The jaws are where they are told; the part is behind them by lag, slip and grip."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.grid = Grid(model.halves, (STEP, STEP, TURN))
+        self.max_steps = model.max_steps
+        self._over = True
+
+    def reset(self, rng: np.random.Generator) -> None:
+        """A cell of its own, its first grip at the middle of the play."""
+        self._rng = rng
+        signs = rng.choice((-1.0, 1.0), 3) if self.model.mirrored else np.ones(3)
+        off = rng.uniform(-1.0, 1.0, 3) * self.model.spread
+        self.slot: Offset = _offset(signs * self.model.slot + off)
+        self._grip: Offset = (0.0, 0.0, 0.0)
+        self._over = True
+
+    def regrip(self) -> None:
+        """A grip anew, drawn again until the slot can be met inside the box."""
+        while True:
+            grip = self._rng.uniform(-1.0, 1.0, 3) * self.model.play
+            if self.model.whole_steps:
+                grip = np.round(grip)
+            if np.all(np.abs(np.subtract(self.slot, grip)) <= self.model.halves):
+                break
+        self._grip = _offset(grip)
+        self._over = True
+
+    def begin(self) -> Observation:
+        """At the box's middle, or anywhere in it, with nothing lagging or slipped."""
+        self.jaws = Cell(0, 0, 0)
+        if self.model.random_start:
+            self.jaws = self.grid.at(int(self._rng.integers(self.grid.states)))
+        self._behind, self._slipped = [0.0, 0.0], [0.0, 0.0]
+        self._steps, self._over = 0, False
+        return self._seen()
+
+    def step(self, action: Action) -> Met:
+        if self._over:
+            raise ValueError("the episode is over: begin another one")
+        self._steps += 1
+        ending = self._happens(action)
+        if ending is None and self._steps >= self.model.max_steps:
+            ending = Kind.LIMIT
+        self._over = ending is not None
+        return Met(self._seen(), ending)
+
+    @property
+    def error(self) -> Offset:
+        """From the slot to the tip."""
+        x, y, turn = (
+            jaws + grip - slot
+            for jaws, grip, slot in zip(self.jaws, self._grip, self.slot, strict=True)
+        )
+        (bx, by), (sx, sy) = self._behind, self._slipped
+        return x + bx + sx, y + by + sy, turn
+
+    def _happens(self, action: Action) -> Kind | None:
+        """Eq. 4's cases in their order: a danger on the way comes before the slot."""
+        model = self.model
+        stopped = self._move(action)
+        if (stopped and self._chance(model.edge_hazard)) or self._chance(model.hazard):
+            return Kind.DANGER
+        if self._chance(model.slip):
+            self._slip()
+        if self._within(model.capture) and self._chance(model.insertion):
+            return Kind.INSERTED
+        mouth = _offset(np.add(model.capture, model.mouth))
+        if self._within(mouth) and self._chance(model.jam_hazard):
+            return Kind.DANGER
+        return None
+
+    def _move(self, action: Action) -> bool:
+        """True when the box's edge stopped the step."""
+        before, self.jaws = self.jaws, self.grid.moved(self.jaws, action)
+        if self.jaws == before:
+            return True
+        if action.axis < 2:
+            behind = self._behind[action.axis] - action.sign
+            self._behind[action.axis] = max(-self.model.lag, min(self.model.lag, behind))
+        return False
+
+    def _slip(self) -> None:
+        axis = int(self._rng.integers(2))
+        if self.model.lag > 0.0:
+            self._behind[axis] = 0.0
+        elif self._slipped[axis]:
+            self._slipped[axis] = 0.0
+        else:
+            self._slipped[axis] = float(self._rng.choice((-1.0, 1.0)))
+
+    def _within(self, halves: Offset) -> bool:
+        # A whole step off by floating point is still a whole step.
+        return all(
+            abs(error) <= half + 1e-9 for error, half in zip(self.error, halves, strict=True)
+        )
+
+    def _chance(self, probability: float) -> bool:
+        return probability > 0.0 and bool(self._rng.random() < probability)
+
+    def _seen(self) -> Observation:
+        """Eq. 1, the forces reduced to signs of 1 N and 1 N·m: no force law runs here."""
+        fx, fy, tau = self._signs() if self.model.side != 0.5 else (0.0, 0.0, 0.0)
+        x, y, turn = self.jaws
+        return Observation(fx, fy, 5.0, tau, x * STEP, y * STEP, 0.0, turn * TURN)
+
+    def _signs(self) -> Offset:
+        near = all(abs(error) <= _TELLS for error in self.error)
+        right = self._rng.random(3) < (self.model.side if near else 0.5)
+        return _offset(np.where(right, 1.0, -1.0) * np.where(np.array(self.error) > 0, -1.0, 1.0))
+
+
+def _offset(values: "np.ndarray[tuple[int, ...], np.dtype[np.float64]]") -> Offset:
+    x, y, turn = (float(value) for value in values)
+    return x, y, turn
