@@ -1,8 +1,10 @@
 """The far side's composition root: the only place in the cell that names implementations."""
 
 from contextlib import ExitStack
+from functools import partial
 
 from hil.cell.arm.controller import ArmController
+from hil.cell.arm.door_log import Event
 from hil.cell.arm.server import UrServer
 from hil.cell.bench import Bench, CanLinks
 from hil.cell.errors import RigError
@@ -68,7 +70,8 @@ def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
     if rig.rig == "real":
         raise RigError(f"rig '{rig.name}' names real devices; only `hil run` and `doctor` take it")
     bench = build_bench(rig, seed)
-    gateway = open_gateway(rig.can, across_processes, fd=rig.sensor.frames == "fd")
+    refused = partial(bench.arm.box.doors.note, Event.REFUSED)
+    gateway = open_gateway(rig.can, across_processes, rig.sensor.frames == "fd", refused)
     robot = rig.robot
     server = UrServer(bench.arm, robot.ports, robot.host, rig.latency.rtde, stream(seed, "rtde"))
     with ExitStack() as doors:
@@ -90,5 +93,5 @@ def _sensor_port(rig: Rig, bench: Bench, seed: int) -> TcpPort | None:
         host=rig.robot.host,
         laws=rig.latency.sensor_tcp,
         rng=stream(seed, "sensor_tcp"),
-        say=bench.arm.box.say,
+        say=partial(bench.arm.box.doors.note, Event.TURNED_AWAY),
     )

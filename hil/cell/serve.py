@@ -31,6 +31,14 @@ class Doors(NamedTuple):
     sensor: tuple[str, int] | None = None
 
 
+class Traffic(NamedTuple):
+    """periods: passed so far. clients: on each port now. events: at the doors, by kind."""
+
+    periods: int
+    clients: dict[str, int]
+    events: dict[str, int]
+
+
 class Tick(NamedTuple):
     """One period as it left the cell: its end in bench time, ns, the bus traffic, the truth."""
 
@@ -69,6 +77,13 @@ class ServedCell:
         """One line for people: which bus was taken."""
         return self.gateway.describe()
 
+    def traffic(self) -> Traffic:
+        """Who is there, and what the cell did not go along with."""
+        clients, events = self.server.visitors, self.bench.arm.box.doors.counts
+        if self._sensor_port is not None:
+            clients = {**clients, "sensor": self._sensor_port.clients}
+        return Traffic(self._step, clients, events)
+
     def lockstep(self, stopped: Stopped, observe: Observer) -> None:
         """One period for each command of a client that writes inputs, no sleep.
 
@@ -101,6 +116,7 @@ class ServedCell:
         while not stopped():
             self._wait(schedule)
             schedule.begin()
+            self.server.ration()
             self.server.poll(self.bench.t, 0.0)
             self._tick()
             self._send(self.bench.t, observe)

@@ -5,6 +5,7 @@ from collections import deque
 from typing import Final
 
 from drivers.protocol.primary_messages import ErrorCode, Level, Message
+from hil.cell.arm.door_log import DoorLog
 from hil.cell.arm.force.contact import THRESHOLDS, ContactHistory
 from hil.cell.arm.force.estimate import ForceEstimate
 from hil.cell.arm.force.mode import ForceMode
@@ -34,8 +35,8 @@ class ControlBox:
     """t: controller time, ns. version: of the emulated software. log: (t, text), oldest first."""
 
     __slots__ = (
-        "announcer", "contact", "estimate", "force_mode", "inputs", "jaws", "kinematics", "log",
-        "measured", "modes", "ownership", "pendant", "period", "registers", "robot", "servo",
+        "announcer", "contact", "doors", "estimate", "force_mode", "inputs", "jaws", "kinematics",
+        "log", "measured", "modes", "ownership", "pendant", "period", "registers", "robot", "servo",
         "signals", "sockets", "t", "target", "tool", "version", "watchdog",
     )  # fmt: skip
 
@@ -46,6 +47,7 @@ class ControlBox:
         self.version = tuple(int(part) for part in robot.version.split("."))
         self.t = 0
         self.log: deque[tuple[int, str]] = deque(maxlen=LOG_LINES)
+        self.doors = DoorLog(self.say)
         self.announcer = Announcer()
         self.pendant = Pendant(robot.programs)
         self.modes = Modes()

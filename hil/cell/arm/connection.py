@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final, Protocol
 
 from drivers.protocol.errors import WireError
+from hil.cell.arm.door_log import Event
 from hil.cell.errors import CellError
 
 MAX_BACKLOG: Final = 1 << 18
@@ -14,16 +15,21 @@ MAX_BACKLOG: Final = 1 << 18
 
 RECEIVE: Final = 1 << 16
 
+ANY: Final = 1 << 62
+"""A share that nobody uses up."""
+
 
 class Session(Protocol):
     """A sans-IO session of one client.
 
     lossy: what it publishes is dropped, newest first, while the client leaves older bytes unread;
     any other client that does not read is cut off.
+    share: bytes that are handled in a control period when the clock does not wait for them.
     """
 
     greeting: bytes
     lossy: bool
+    share: int
 
     @property
     def closing(self) -> bool: ...
@@ -35,16 +41,27 @@ class Session(Protocol):
 class Cut(CellError):  # noqa: N818 - an event, not a fault of the cell
     """The connection is over; the message says why."""
 
+    def __init__(self, event: Event, why: str) -> None:
+        super().__init__(f"{event}: {why}")
+        self.event = event
+
 
 class Connection:
-    """A session, and the bytes that wait for their time (`_travelling`) or the kernel (`_out`)."""
+    """A session, and the bytes that wait for their time (`_travelling`) or the kernel (`_out`).
 
-    __slots__ = ("_delays", "_last_due", "_out", "_travelling", "session", "socket")
+    left: bytes that it may still send in this control period.
+    """
 
-    def __init__(self, client: socket.socket, session: Session, delays: Iterator[int]) -> None:
+    __slots__ = ("_delays", "_last_due", "_out", "_travelling", "door", "left", "session", "socket")
+
+    def __init__(
+        self, door: str, client: socket.socket, session: Session, delays: Iterator[int]
+    ) -> None:
         """delays: travel times of the data packages, ns; replies take none."""
+        self.door = door
         self.socket = client
         self.session = session
+        self.left = ANY
         self._out = session.greeting
         self._delays = delays
         self._travelling: deque[tuple[int, bytes]] = deque()
@@ -56,22 +73,23 @@ class Connection:
     def read(self, t: int) -> None:
         """Take what is readable and queue the replies; raises Cut."""
         try:
-            data = self.socket.recv(RECEIVE)
+            data = self.socket.recv(min(RECEIVE, self.left))
         except BlockingIOError:
             return
         except OSError as error:
-            raise Cut(f"lost: {error.strerror}") from None
+            raise _lost(error) from None
         if not data:
-            raise Cut("closed by the client")
+            raise Cut(Event.LEFT, "closed by the client")
+        self.left -= len(data)
         try:
             replies = self.session.receive(data, t)
         except WireError as error:
-            raise Cut(f"cut off: {error}") from None
+            raise Cut(Event.CUT_OFF, str(error)) from None
         if replies:
             self._reply(replies)
         self.send()
         if self.session.closing:
-            raise Cut("quit")
+            raise Cut(Event.LEFT, "quit")
 
     def publish(self, t: int, step: int) -> None:
         """Put the session's package of this control step, if one is due, on its way at t, ns.
@@ -108,10 +126,11 @@ class Connection:
         except BlockingIOError:
             sent = 0
         except OSError as error:
-            raise Cut(f"lost: {error.strerror}") from None
+            raise _lost(error) from None
         self._out = self._out[sent:]
         if len(self._out) > MAX_BACKLOG:
-            raise Cut(f"cut off: {len(self._out)} bytes unread, allowed are {MAX_BACKLOG}")
+            unread = f"{len(self._out)} bytes unread, allowed are {MAX_BACKLOG}"
+            raise Cut(Event.CUT_OFF, unread)
 
     def close(self) -> None:
         self.session.close()
@@ -121,3 +140,7 @@ class Connection:
         """Set-up takes no bench time; packages already travelling stay ahead of the reply."""
         self._out += b"".join(package for _, package in self._travelling) + replies
         self._travelling.clear()
+
+
+def _lost(error: OSError) -> Cut:
+    return Cut(Event.LOST, error.strerror or type(error).__name__)

@@ -54,9 +54,12 @@ class ArmController:
         """Queue RTDE input values; the first frame with t >= arrival, ns, applies them."""
         self.box.inputs.accept(values, arrival)
 
-    def upload(self, text: str, delay: int = 0) -> None:
-        """Replace the program by this unit of URScript, which starts after `delay`, ns."""
-        self.programs.upload(text, delay)
+    def upload(self, text: str, delay: int = 0) -> bool:
+        """Replace the program by this unit of URScript, which starts after `delay`, ns.
+
+        False for a text that the compiler refuses; the log says why.
+        """
+        return self.programs.upload(text, delay)
 
     def frame(self, t: int) -> ArmTarget:
         """One control cycle at bench time t, ns."""

@@ -10,6 +10,9 @@ from hil.cell.arm.modes import Event
 from hil.cell.arm.port import RobotPort
 from hil.cell.arm.urscript import Program, Runtime, RuntimeStatus, ScriptError, compile_program
 
+MAX_SECONDARY: Final = 16
+"""Assumed; each has a share of every control period."""
+
 _UNKNOWN: Final = re.compile(r"name not found: (\w+)")
 
 
@@ -29,18 +32,30 @@ class Programs:
         self._due: tuple[int, Program] | None = None
         self.on_pendant = False
 
-    def upload(self, text: str, delay: int) -> None:
-        """Compile a unit of URScript and start it after `delay` ns; errors go to the log only."""
+    def upload(self, text: str, delay: int) -> bool:
+        """Compile a unit of URScript and start it after `delay` ns; false for a wrong text.
+
+        Errors go to the log and to the primary port's clients.
+        """
         program = self._compiled(text)
         if program is None:
-            return
+            return False
         if program.secondary:
-            self._secondary.append(Runtime(program, self._port))
+            self._begin_secondary(program)
         elif delay == 0:
             self._start(program)
         else:
             self.stop()
             self._due = (self._box.t + delay, program)
+        return True
+
+    def _begin_secondary(self, program: Program) -> None:
+        if len(self._secondary) < MAX_SECONDARY:
+            self._secondary.append(Runtime(program, self._port))
+        else:
+            self._box.say(
+                f"program {program.name} refused: {MAX_SECONDARY} secondary programs are running"
+            )
 
     def play(self, text: str) -> bool:
         """Start the pendant's program; false when the robot or the text does not allow it."""

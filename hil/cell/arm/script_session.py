@@ -13,6 +13,12 @@ from hil.cell.arm.streams.stream import Stream
 MAX_UNIT: Final = 1 << 20
 """Ten times the longest script that a known client uploads."""
 
+MAX_REFUSED: Final = 16
+"""Refusals of one message: each costs 0.15 ms, and who errs so often speaks another language."""
+
+SHARE: Final = 1 << 12
+"""A client's script of 70 kB takes 18 control periods to arrive."""
+
 START_DELAY: Final = 36_000_000
 """From a program's arrival to its first cycle, ns; about 35 ms were reported of real boxes. Without
 it a program acts on RTDE inputs that its client had replaced before, by a connection of their own.
@@ -65,6 +71,7 @@ class ScriptSession:
 
     closing = False
     lossy = True
+    share = SHARE
 
     def __init__(self, arm: ArmController, stream: Stream) -> None:
         self.greeting = stream.greeting
@@ -73,13 +80,16 @@ class ScriptSession:
         self._cutter = UnitCutter()
 
     def receive(self, data: bytes, t: int) -> bytes:
-        """Run what `data` completes; WireError for a unit without an end."""
+        """Run what `data` completes; WireError when it is no URScript, or has no end."""
+        refused = 0
         for unit in self._cutter.feed(data):
             action = COMMANDS.get(unit.strip())
-            if action is None:
-                self._arm.upload(unit, START_DELAY)
-            else:
+            if action is not None:
                 action(self._arm)
+            elif not self._arm.upload(unit, START_DELAY):
+                refused += 1
+            if refused > MAX_REFUSED:
+                raise WireError(f"over {MAX_REFUSED} pieces of one message are no URScript")
         return b""
 
     def publish(self, step: int) -> bytes:

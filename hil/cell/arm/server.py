@@ -16,6 +16,8 @@ from hil.cell.arm.box import ControlBox
 from hil.cell.arm.connection import Connection, Cut, Session
 from hil.cell.arm.controller import ArmController
 from hil.cell.arm.dashboard_session import DashboardSession
+from hil.cell.arm.door_log import Event
+from hil.cell.arm.listener import accept, listen
 from hil.cell.arm.rtde_session import RtdeSession
 from hil.cell.arm.script_session import ScriptSession
 from hil.cell.arm.streams.stream import PrimaryStream, RealtimeStream, SecondaryStream, Stream
@@ -25,7 +27,10 @@ from hil.cell.rig.robot import Ports
 from hil.cell.rig.task import Link
 
 DOORS: Final = ("dashboard", "primary", "secondary", "realtime", "rtde")
-BACKLOG: Final = 8
+CLIENTS: Final = 32
+"""On one port at a time; eight programs of ur_rtde hold 24 connections to RTDE."""
+ROUNDS: Final = 8
+"""Looks at the doors in one `poll`: a flood of clients does not hold the control loop."""
 _STREAMS: Final[Mapping[str, Callable[[ControlBox], Stream]]] = {
     "primary": PrimaryStream,
     "secondary": SecondaryStream,
@@ -60,6 +65,8 @@ class UrServer:
         self._streams: list[Connection] = []
         self._clients = 0
         self._commands = 0
+        self._resting: list[Connection] = []
+        self._doors = arm.box.doors
 
     def __enter__(self) -> Self:
         return self.open()
@@ -72,7 +79,10 @@ class UrServer:
         self._selector = selectors.DefaultSelector()
         try:
             for door in DOORS:
-                self._listen(door, getattr(self._wanted, door))
+                listener = listen(door, self.host, getattr(self._wanted, door))
+                self._listeners[door] = listener
+                self.ports[door] = listener.getsockname()[1]
+                self._selector.register(listener, selectors.EVENT_READ, door)
         except DoorError:
             self.close()
             raise
@@ -81,7 +91,7 @@ class UrServer:
     def close(self) -> None:
         """Close every connection and every port; may be called again."""
         for connection in tuple(self._connections):
-            self._drop(connection, "the cell closes")
+            self._drop(connection, Cut(Event.LEFT, "the cell closes"))
         self._arm.box.sockets.close_all()
         for listener in self._listeners.values():
             listener.close()
@@ -91,17 +101,26 @@ class UrServer:
             self._selector = None
 
     def poll(self, t: int, timeout: float | None) -> None:
-        """Accept and read what has come, at bench time t, ns; wait `timeout` s for the first."""
-        assert self._selector is not None, "poll needs open ports"
-        ready = self._selector.select(timeout)
-        accepted = False
-        for key, _ in ready:
-            if isinstance(key.data, Connection):
-                self._guarded(key.data, lambda c: c.read(t))
-            else:
-                accepted |= self._accept(key.data)
-        if accepted:
-            self.poll(t, 0)  # what a new client sent with its connection
+        """Accept and read what has come, at bench time t, ns; wait `timeout` s for the first.
+
+        What a new client sent with its connection is read too.
+        """
+        for _ in range(ROUNDS):
+            if not self._serve(t, timeout):
+                return
+            timeout = 0.0
+
+    def ration(self) -> None:
+        """Begin a control period in which no client is heard beyond its session's share.
+
+        For a cell that a clock paces: a flood waits in the kernel's buffers, not the control loop.
+        """
+        for connection in self._connections:
+            connection.left = connection.session.share
+        assert self._selector is not None
+        for connection in self._resting:
+            self._selector.register(connection.socket, selectors.EVENT_READ, connection)
+        self._resting.clear()
 
     @property
     def commands(self) -> int:
@@ -119,6 +138,11 @@ class UrServer:
     def clients(self) -> int:
         """Connections on all ports."""
         return len(self._connections)
+
+    @property
+    def visitors(self) -> dict[str, int]:
+        """Connections on each port."""
+        return {door: sum(c.door == door for c in self._connections) for door in DOORS}
 
     def publish(self, t: int, step: int) -> None:
         """Build the packages of control step `step` and put them on their way at t, ns.
@@ -140,30 +164,31 @@ class UrServer:
         for connection in tuple(self._connections):
             self._guarded(connection, lambda c: c.flush(t))
 
-    def _listen(self, door: str, port: int) -> None:
-        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-        self._listeners[door] = listener
-        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            listener.bind((self.host, port))
-            listener.listen(BACKLOG)
-        except OSError as error:
-            raise DoorError(
-                f"{door} port {self.host}:{port} cannot be opened ({error.strerror}); stop what "
-                f"holds it, or set robot.ports.{door} to 0 for a free port"
-            ) from None
-        listener.setblocking(False)
-        self.ports[door] = listener.getsockname()[1]
-        assert self._selector is not None
-        self._selector.register(listener, selectors.EVENT_READ, door)
+    def _serve(self, t: int, timeout: float | None) -> bool:
+        """One look at every door and client; whether somebody new came in."""
+        assert self._selector is not None, "poll needs open ports"
+        accepted = False
+        for key, _ in self._selector.select(timeout):
+            if isinstance(key.data, Connection):
+                self._guarded(key.data, lambda c: c.read(t))
+                if key.data.left <= 0:
+                    self._rest(key.data)
+            else:
+                accepted |= self._accept(key.data)
+        return accepted
 
     def _accept(self, door: str) -> bool:
         try:
-            client, _ = self._listeners[door].accept()
-        except OSError:  # the client left between knocking and opening
+            client = accept(self._listeners[door])
+        except OSError as error:  # no descriptor is free
+            self._doors.note(Event.TURNED_AWAY, f"{door}: turned away: {error.strerror}")
             return False
-        client.setblocking(False)
-        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if client is None:
+            return False
+        if sum(connection.door == door for connection in self._connections) >= CLIENTS:
+            client.close()
+            self._doors.note(Event.TURNED_AWAY, f"{door}: turned away, {CLIENTS} clients are there")
+            return True
         self._clients += 1
         connection = self._connect(door, client)
         self._connections.append(connection)
@@ -174,13 +199,13 @@ class UrServer:
 
     def _connect(self, door: str, client: socket.socket) -> Connection:
         if door != "rtde":
-            connection = Connection(client, self._session(door), repeat(0))
+            connection = Connection(door, client, self._session(door), repeat(0))
             if connection.session.lossy:
                 self._streams.append(connection)
             return connection
         to_cell, from_cell = self._rng.spawn(2)  # a client's delays do not depend on other clients
         session = RtdeSession(self._arm, self._clients, _delays(self._link.to_cell, to_cell))
-        connection = Connection(client, session, _delays(self._link.from_cell, from_cell))
+        connection = Connection(door, client, session, _delays(self._link.from_cell, from_cell))
         self._rtde.append((connection, session))
         return connection
 
@@ -194,11 +219,23 @@ class UrServer:
         try:
             act(connection)
         except Cut as cut:
-            self._drop(connection, str(cut))
+            self._drop(connection, cut)
 
-    def _drop(self, connection: Connection, why: str) -> None:
+    def _rest(self, connection: Connection) -> None:
+        """Hear no more of it in this period, if it is still there."""
+        if connection not in self._connections:
+            return
         assert self._selector is not None
         self._selector.unregister(connection.socket)
+        self._resting.append(connection)
+        self._doors.count(Event.RESTED)
+
+    def _drop(self, connection: Connection, cut: Cut) -> None:
+        assert self._selector is not None
+        if connection in self._resting:
+            self._resting.remove(connection)
+        else:
+            self._selector.unregister(connection.socket)
         self._connections.remove(connection)
         self._streams = [other for other in self._streams if other is not connection]
         for pair in tuple(self._rtde):
@@ -206,7 +243,7 @@ class UrServer:
                 self._commands += pair[1].commands
                 self._rtde.remove(pair)
         connection.close()
-        self._arm.box.say(f"{type(connection.session).__name__}: {why}")
+        self._doors.note(cut.event, f"{connection.door}: {cut}")
 
 
 def _delays(law: LatencyLaw, rng: np.random.Generator) -> Iterator[int]:

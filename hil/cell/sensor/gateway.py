@@ -1,5 +1,7 @@
 """The cell's end of the CAN bus; the only file of the far side that knows python-can."""
 
+from collections.abc import Callable
+from typing import Final, TypeAlias
 from uuid import uuid4
 
 import can
@@ -11,15 +13,25 @@ from hil.cell.rig.sensor import CanBus
 from hil.cell.sensor.can_interfaces import free_udp_port, up_can_interfaces
 from hil.cell.sensor.shared_bus import SharedVirtualBus
 
+Say: TypeAlias = Callable[[str], None]
+
+MOST: Final = 256
+"""Frames taken in one call: what a bus of 1 Mbit/s carries in 12 ms; further ones wait."""
+
+
+def unheard(_: str) -> None:
+    """Say nothing."""
+
 
 class Gateway:
     """Sends and takes frames without waiting. A message is made anew for each frame sent, since
-    receivers on a virtual bus keep it.
+    receivers on a virtual bus keep it. say: told in one line what was dropped.
     """
 
-    def __init__(self, bus: can.BusABC, address: BusAddress) -> None:
+    def __init__(self, bus: can.BusABC, address: BusAddress, say: Say = unheard) -> None:
         self._bus = bus
         self._address = address
+        self._say = say
         self._sent: set[int] = set()
 
     @property
@@ -50,25 +62,29 @@ class Gateway:
 
     def receive(self) -> list[CanFrame]:
         """Standard data frames that others sent since the last call; raises DoorError."""
-        frames = []
-        try:
-            while (message := self._bus.recv(0)) is not None:
-                if not _is_data(message):
-                    continue
+        frames: list[CanFrame] = []
+        for _ in range(MOST):
+            try:
+                message = self._bus.recv(0)
+            except (can.CanError, OSError) as error:
+                if not _is_garbage(error):
+                    raise DoorError(f"{self.describe()}: cannot receive: {error}") from error
+                self._say(f"{self.describe()}: {error}")
+                continue
+            if message is None:
+                break
+            if _is_data(message) and message.arbitration_id not in self._sent:
                 # udp_multicast hears its own frames; nobody else owns these identifiers.
-                if message.arbitration_id not in self._sent:
-                    frames.append(
-                        CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
-                    )
-        except (can.CanError, OSError) as error:
-            raise DoorError(f"{self.describe()}: cannot receive: {error}") from error
+                frames.append(CanFrame(message.arbitration_id, bytes(message.data), message.is_fd))
         return frames
 
     def close(self) -> None:
         self._bus.shutdown()
 
 
-def open_gateway(can_bus: CanBus, across_processes: bool, fd: bool = False) -> Gateway:
+def open_gateway(
+    can_bus: CanBus, across_processes: bool, fd: bool = False, say: Say = unheard
+) -> Gateway:
     """The bus that the rig asks for; DoorError says in one line why it cannot be had."""
     address = choose(can_bus, across_processes, up_can_interfaces())
     try:
@@ -78,7 +94,7 @@ def open_gateway(can_bus: CanBus, across_processes: bool, fd: bool = False) -> G
         raise DoorError(
             f"can: cannot open {address.interface} '{address.channel}': {reason}"
         ) from error
-    return Gateway(bus, address)
+    return Gateway(bus, address, say)
 
 
 def _open(address: BusAddress, fd: bool) -> can.BusABC:
@@ -116,3 +132,9 @@ def _unique_channel(interface: str) -> str:
 
 def _is_data(message: can.Message) -> bool:
     return not (message.is_extended_id or message.is_remote_frame or message.is_error_frame)
+
+
+def _is_garbage(error: Exception) -> bool:
+    """Whether a datagram was no CAN frame: anybody can send those to a udp_multicast group."""
+    cause = error.__cause__
+    return cause is not None and not isinstance(cause, OSError)

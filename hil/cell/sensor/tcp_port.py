@@ -47,6 +47,11 @@ class TcpPort:
         host, port = self._listener.getsockname()
         return host, port
 
+    @property
+    def clients(self) -> int:
+        """Connections now."""
+        return len(self._connections)
+
     def take(self, t: int, until: int) -> None:
         """Before a period: accept and read what came by t; commands that arrive by `until`, ns."""
         if self._boots != self._node.boots:
@@ -77,7 +82,7 @@ class TcpPort:
 
     def _accept(self) -> None:
         with suppress(OSError):  # nobody there, or gone between knocking and opening
-            while True:
+            for _ in range(2 * CLIENTS):  # a flood of clients does not hold the period
                 client, _ = self._listener.accept()
                 if len(self._connections) < CLIENTS:
                     self._connections.append(self._connect(client))
