@@ -25,11 +25,12 @@ def force_mode(robot: Robot) -> None:
     robot.hover()
     before = robot.receive.getActualTCPPose()
     _press(robot)
-    becomes(lambda: [robot.push()], [10.0], 1.0)
-    # The push is noisy on CB3 and passes through 10 N before the arm is at rest: its depth tells.
-    becomes(lambda: [robot.height()], [CONTACT - 10.0 / STIFFNESS], 0.3e-3)
-    near(robot.receive.getActualTCPPose()[:2], before[:2], 0.5e-3)
-    robot.control.forceModeStop()
+    try:
+        becomes(lambda: [robot.push()], [10.0], 1.0)
+        becomes(lambda: [robot.height()], [CONTACT - 10.0 / STIFFNESS], 0.3e-3)
+        near(robot.receive.getActualTCPPose()[:2], before[:2], 0.5e-3)
+    finally:
+        robot.control.forceModeStop()
 
 
 def force_mode_stop(robot: Robot) -> None:
