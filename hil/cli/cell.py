@@ -36,6 +36,10 @@ HostOption: TypeAlias = Annotated[
     str | None, typer.Option(help="Loopback address to serve on; the rig's host unless given.")
 ]
 
+StatusOption: TypeAlias = Annotated[
+    bool, typer.Option("--status", help="Ask the rig's running cell how it is doing; serve none.")
+]
+
 
 def demo(
     out: Out = Path("out/demo"),
@@ -84,12 +88,16 @@ def up(
     clock: UpClock = Clock.WALL,
     seed: Seed = None,
     host: HostOption = None,
+    status: StatusOption = False,
     json: Json = False,
 ) -> int:
     """Serve a rig's cell until Ctrl-C, for clients of your own; print its ports and bus.
 
     By the wall clock unless told otherwise: in lockstep, time stands still until somebody commands.
+    SIGUSR1 makes it say how it keeps time and who is connected, as --status and its end do.
     """
-    from hil.cli.serving import serve  # noqa: PLC0415
+    from hil.cli.serving import inquire, serve  # noqa: PLC0415
 
+    if status:
+        return inquire(rig, host, json=json)
     return serve(rig, seed, clock.value, host, json=json)

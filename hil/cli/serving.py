@@ -4,7 +4,9 @@ from ipaddress import ip_address
 
 import typer
 
-from hil.app.up import up
+from hil.app.desk import ask_all
+from hil.app.up import Status, up
+from hil.cell.errors import DoorError
 from hil.cell.rig import Rig
 from hil.cell.serve import Doors
 from hil.cli.shipped import read
@@ -13,9 +15,7 @@ from hil.view.tables import as_json, of_facts, of_lateness
 
 def serve(rig: str, seed: int | None, clock: str, host: str | None, *, json: bool) -> int:
     """Serve until SIGINT or SIGTERM; the exit status."""
-    found, _ = read(rig)
-    if host is not None:
-        found = _at(found, host)
+    found = _found(rig, host)
 
     def announce(doors: Doors, bus: str) -> None:
         where = _where(doors)
@@ -25,10 +25,44 @@ def serve(rig: str, seed: int | None, clock: str, host: str | None, *, json: boo
             typer.echo(of_facts({"emulated cell": found.name, "clock": clock, **where}), nl=False)
             typer.echo(f"{bus}; Ctrl-C ends it")
 
-    report = up(found, found.seed if seed is None else seed, clock, announce)
-    if not json and report.lateness is not None:
-        typer.echo(of_facts({"periods": report.periods, "lateness": of_lateness(report.lateness)}))
+    up(found, found.seed if seed is None else seed, clock, announce, lambda s: _tell(s, json=json))
     return 0
+
+
+def inquire(rig: str, host: str | None, *, json: bool) -> int:
+    """Show how this user's running cells of a rig are doing; DoorError when there is none."""
+    found = _found(rig, host)
+    running = [Status.from_json(answer) for answer in ask_all()]
+    meant = [s for s in running if s.rig == found.name and host in (None, s.host)]
+    if not meant:
+        others = ", ".join(sorted({f"{s.rig} at {s.host}" for s in running})) or "none"
+        raise DoorError(f"no `hil up {rig}` is running for you; running are: {others}")
+    for status in meant:
+        _tell(status, json=json)
+    return 0
+
+
+def _tell(status: Status, *, json: bool) -> None:
+    """A line of JSON, or a table, of how a cell is doing."""
+    if json:
+        typer.echo(status.to_json().decode())
+        return
+    traffic, late = status.traffic, status.lateness
+    clients = (f"{door} {count}" for door, count in traffic.clients.items() if count)
+    events = (f"{event} {count}" for event, count in traffic.events.items())
+    facts: dict[str, str | int | float | None] = {
+        "cell": f"{status.rig} at {status.host}, rtde {status.rtde}, {status.clock}",
+        "periods": traffic.periods,
+        **({} if late is None else {"lateness": of_lateness(late)}),
+        "clients": ", ".join(clients) or "none",
+        "at the doors": ", ".join(events) or "nothing out of the ordinary",
+    }
+    typer.echo(of_facts(facts), nl=False)
+
+
+def _found(rig: str, host: str | None) -> Rig:
+    found, _ = read(rig)
+    return found if host is None else _at(found, host)
 
 
 def _at(rig: Rig, host: str) -> Rig:
