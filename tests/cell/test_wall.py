@@ -14,20 +14,22 @@ from hil.cell.assemble import serve
 from hil.cell.clock import Schedule
 from hil.cell.rig import parse
 
+CB3 = "series: cb3"
+E_SERIES = "series: e-series, model: ur5e, version: 5.11.0.108249"
 LIMIT = 5.0  # wall seconds that loopback may take
 RIG = """
 name: wall
 physics: {{plant: wall}}
 can: {{interface: udp_multicast}}
-robot: {{series: {series}, ports: {{dashboard: 0, primary: 0, secondary: 0, realtime: 0, rtde: 0}}}}
+robot: {{{robot}, ports: {{dashboard: 0, primary: 0, secondary: 0, realtime: 0, rtde: 0}}}}
 """
 
 
 class HandClock:
-    """Each look at it costs a twentieth of a period; nobody sleeps."""
+    """Each look at it costs a third of a period; nobody sleeps."""
 
     def __init__(self, period):
-        self.t, self._step = 0, period // 20
+        self.t, self._step = 0, period // 3
 
     def __call__(self):
         self.t += self._step
@@ -60,9 +62,9 @@ class Client:
         return [p for p in self._cutter.feed(octets) if p.type == PackageType.DATA]
 
 
-@pytest.fixture(params=["cb3", "e-series"])
+@pytest.fixture(params=[CB3, E_SERIES], ids=["cb3", "e-series"])
 def cell(request):
-    with serve(parse(RIG.format(series=request.param)), 1, across_processes=True) as cell:
+    with serve(parse(RIG.format(robot=request.param)), 1, across_processes=True) as cell:
         yield cell
 
 
@@ -126,7 +128,7 @@ def test_a_client_that_never_reads_costs_the_others_nothing(cell, address):
 
 def test_a_closed_cell_holds_no_descriptor():
     before = len(os.listdir("/proc/self/fd"))
-    with serve(parse(RIG.format(series="cb3")), 1, across_processes=True) as cell:
+    with serve(parse(RIG.format(robot=CB3)), 1, across_processes=True) as cell:
         link = socket.create_connection(("127.0.0.1", cell.server.ports["rtde"]), LIMIT)
         keep(cell, 3)
         link.close()
