@@ -20,7 +20,7 @@ class Belief:
 
     at_slot: float = 0.95
     beside_slot: float = 0.3
-    clearance: tuple[int, int, int] = (3, 3, 0)
+    clearance: tuple[int, int, int] = (3, 3, 1)
     drift: float = 0.02
     floor: float = 1e-4
     new_grip_floor: float = 0.02

@@ -15,13 +15,14 @@ class Model:
     mouth: how far beyond the capture the slot's mouth reaches, where a step is a danger with
     `jam_hazard`; `hazard` is that of a step anywhere, `edge_hazard` of one against the box's edge.
 
-    lag: the tip stays behind the jaws by up to so much along x and y (friction against the
+    lag: the tip stays behind the jaws by up to so much along x and along y (friction against the
     cable's bending). slip: chance a step that the part slips: a lagging tip springs back under the
     jaws, one that does not lag goes one step off or back.
 
-    play: half widths within which the next grip lies off the first one's; whole_steps: by whole
-    steps only. spread: half widths within which the slot is off `slot`, drawn once a cell;
-    mirrored: its side of the start is drawn too. random_start: of each episode.
+    play: half widths within which a grip lies off its middle, by whole_steps only or by any
+    amount; the first grip is at the middle unless first_grip_too. spread: half widths within
+    which the slot is off `slot`, drawn once a cell; mirrored: its side of the start is drawn too.
+    random_start: of each episode.
 
     side: chance that the sign of fx, fy, tau_z shows the way to the slot, within 3 steps of it.
     """
@@ -34,10 +35,11 @@ class Model:
     jam_hazard: float = 0.0
     hazard: float = 0.0
     edge_hazard: float = 0.0
-    lag: float = 0.0
+    lag: tuple[float, float] = (0.0, 0.0)
     slip: float = 0.0
     play: tuple[float, float, float] = (8 / 3, 8 / 3, 0.0)
     whole_steps: bool = True
+    first_grip_too: bool = False
     spread: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mirrored: bool = True
     random_start: bool = False
@@ -49,9 +51,8 @@ class Model:
             if not 0.0 <= getattr(self, name) <= 1.0:
                 raise ValueError(f"{name} is a probability, found {getattr(self, name)}")
         for name in ("halves", "capture", "mouth", "play", "spread", "lag"):
-            value = getattr(self, name)
-            if not min(value if isinstance(value, tuple) else (value,)) >= 0:
-                raise ValueError(f"{name} cannot be negative, found {value}")
+            if not all(value >= 0 for value in getattr(self, name)):
+                raise ValueError(f"{name} cannot be negative, found {getattr(self, name)}")
         if self.max_steps < 1:
             raise ValueError(f"max_steps must be at least 1, found {self.max_steps}")
         slack = zip(self.halves, self.slot, self.spread, strict=True)

@@ -24,13 +24,15 @@ class SlotWorld:
         self._over = True
 
     def reset(self, rng: np.random.Generator) -> None:
-        """A cell of its own, its first grip at the middle of the play."""
+        """A cell of its own and its first grip."""
         self._rng = rng
         signs = rng.choice((-1.0, 1.0), 3) if self.model.mirrored else np.ones(3)
         off = rng.uniform(-1.0, 1.0, 3) * self.model.spread
         self.slot: Offset = _offset(signs * self.model.slot + off)
         self._grip: Offset = (0.0, 0.0, 0.0)
         self._over = True
+        if self.model.first_grip_too:
+            self.regrip()
 
     def regrip(self) -> None:
         """A grip anew, drawn again until the slot can be met inside the box."""
@@ -93,13 +95,13 @@ class SlotWorld:
         if self.jaws == before:
             return True
         if action.axis < 2:
-            behind = self._behind[action.axis] - action.sign
-            self._behind[action.axis] = max(-self.model.lag, min(self.model.lag, behind))
+            lag, behind = self.model.lag[action.axis], self._behind[action.axis] - action.sign
+            self._behind[action.axis] = max(-lag, min(lag, behind))
         return False
 
     def _slip(self) -> None:
         axis = int(self._rng.integers(2))
-        if self.model.lag > 0.0:
+        if self.model.lag[axis] > 0.0:
             self._behind[axis] = 0.0
         elif self._slipped[axis]:
             self._slipped[axis] = 0.0

@@ -12,8 +12,8 @@ PAPER = ("paper's wdql", "1", "92", "6", "2", "-", "15", "~20", "~30", "-")
 """Section 4.3: one run of 50 episodes, its figures without intervals."""
 
 
-def as_text(rows: Sequence[Row]) -> str:
-    """A line a learner, rates in %."""
+def as_text(rows: Sequence[Row], *, paper: bool = True) -> str:
+    """A line a learner, rates in %; `paper` adds its own figures."""
     table = Table(box=None, pad_edge=False, header_style="")
     for name in (
         "learner", "seeds", "success", "danger", "limit", "training steps", "quick from episode",
@@ -28,7 +28,8 @@ def as_text(rows: Sequence[Row]) -> str:
             row.ffc2_first_steps_mean, row.ffc2_first_steps_iqm,
         )  # fmt: skip
         table.add_row(row.learner, seeds, *rates, *map(_shown, others))
-    table.add_row(*PAPER)
+    if paper:
+        table.add_row(*PAPER)
     screen = StringIO()
     Console(file=screen, width=160, color_system=None, highlight=False, markup=False).print(table)
     return "\n".join(line.rstrip() for line in screen.getvalue().splitlines()) + "\n"

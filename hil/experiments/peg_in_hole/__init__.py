@@ -1,0 +1,1 @@
+"""Section 2 of the paper and other worlds without physics: learners compared."""
