@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from hil.cli import campaign, envelope, force, learning
+from hil.cli import campaign, envelope, force, learning, peg
 from hil.cli.errors import FAILED
 from hil.cli.options import DEFAULT_RIG, Json, PartName, PolicyName, PolicyOption, RigOption, Seed
 
@@ -18,6 +18,7 @@ def build() -> typer.Typer:
     app.command()(noise)
     app.command()(insertion)
     app.command()(learning.ffc)
+    app.command()(peg.peg_in_hole)
     app.command()(force.force_tracking)
     app.command()(force.stability_map)
     app.command()(envelope.envelope)
