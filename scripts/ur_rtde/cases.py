@@ -29,10 +29,10 @@ INTERFACES: dict[type, Cases] = {
     ScriptClient: script_cases.CASES,
 }
 QUICK = (
-    "moveJ", "moveL", "moveL (path)", "getAsyncOperationProgress", "servoJ", "servoL", "speedL",
+    "moveJ", "moveL", "getAsyncOperationProgress", "servoJ", "speedL",
     "stopJ", "jogStart", "forceMode", "zeroFtSensor", "moveUntilContact", "setTcp",
     "getInverseKinematics", "getForwardKinematics (joints and TCP)", "isSteady", "teachMode",
-    "sendCustomScriptFunction", "reconnect", "setWatchdog",
+    "sendCustomScriptFunction", "reconnect",
 )  # fmt: skip
 """Control calls of every kind, for a check of a minute."""
 

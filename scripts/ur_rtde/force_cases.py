@@ -112,6 +112,7 @@ def tool_contact(robot: Robot) -> None:
 def contact_detection(robot: Robot) -> None:
     """A running move meets the plate: contact is told, and the arm stops there."""
     robot.hover()
+    robot.control.moveL(robot.shifted(z=0.012), 0.1, 1.0)  # time to begin before it is touched
     robot.control.speedL([0, 0, -0.02, 0, 0, 0], 0.5)
     equal(robot.control.startContactDetection(), True)
     equal(robot.control.readContactDetection(), False)
