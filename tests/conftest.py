@@ -7,8 +7,13 @@ from multiprocessing import active_children
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from hil.cell.sensor.can_interfaces import up_can_interfaces
+
+# How long an example takes says how busy the machine is, and nothing about the law it tests.
+settings.register_profile("hil", deadline=None)
+settings.load_profile("hil")
 
 
 def pytest_report_header() -> str:
