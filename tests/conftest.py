@@ -7,12 +7,12 @@ from multiprocessing import active_children
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from hil.cell.sensor.can_interfaces import up_can_interfaces
 
 # How long an example takes says how busy the machine is, and nothing about the law it tests.
-settings.register_profile("hil", deadline=None)
+settings.register_profile("hil", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("hil")
 
 
