@@ -5,10 +5,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from hil.cli import campaign
 from hil.cli.errors import FAILED
 from hil.cli.options import Json
 
 if TYPE_CHECKING:
+    from hil.campaign.plan import Plan
+    from hil.campaign.run import Outcome
     from hil.cell.rig import Rig
     from hil.experiments.force_tracking.grid import Grid
 
@@ -29,7 +32,6 @@ Bottoming = Annotated[
 ]
 Preset = Annotated[str, typer.Option(help="Parameters of the laws: tuned, printed, or a file.")]
 Workers = Annotated[int, typer.Option(min=1, help="Runs at a time.")]
-FirstSeed = Annotated[int, typer.Option(min=0, help="Seed of the first run.")]
 
 
 def force_tracking(
@@ -43,9 +45,12 @@ def force_tracking(
     push: Push = 16.0,
     bottoming: Bottoming = "0,50",
     preset: Preset = "tuned",
-    seeds: Annotated[int, typer.Option(min=1, help="Runs a row.")] = 20,
-    seed: FirstSeed = 1,
-    workers: Workers = 2,
+    seeds: campaign.Seeds = 20,
+    seed: campaign.FirstSeed = 1,
+    jobs: campaign.Jobs = None,
+    scheduler: campaign.Scheduler = "",
+    ledger: campaign.LedgerFile = None,
+    fresh: campaign.Fresh = False,
     out: Annotated[
         Path | None,
         typer.Option(help="Folder for rows.json, report.md, the figure and recordings."),
@@ -55,23 +60,27 @@ def force_tracking(
 ) -> int:
     """The paper's experiment on a curved surface, all laws, over the wire, by the true force."""
     from hil.cli.force_output import write  # noqa: PLC0415
-    from hil.experiments.force_tracking.experiment import experiment  # noqa: PLC0415
+    from hil.experiments.force_tracking import experiment  # noqa: PLC0415
     from hil.experiments.force_tracking.table import as_text  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
     grid = _grid(law, stiffness, latency, preset, (force, approach, push), bottoming)
-    rigs = _rigs(rate)
-    rows = []
-    for row in experiment(rigs, grid, range(seed, seed + seeds), workers, out):
-        rows.append(row)
-        typer.echo(as_text([row]).splitlines()[1], err=True)
-    typer.echo(
-        tables.as_json({"rows": rows}) if json else as_text(rows),
-        nl=False,
-    )
+    texts = {number: text for number, (_, text) in _rigs(rate).items()}
+    numbers = range(seed, seed + seeds)
+
+    def conduct(plan: "Plan") -> "list[Outcome]":
+        return campaign.conduct(
+            plan, jobs=jobs, scheduler=scheduler, ledger=ledger, fresh=fresh, quiet=json
+        )
+
+    outcomes = conduct(experiment.plan(texts, grid, numbers, out))
+    rows = experiment.table(list(texts), grid, numbers, outcomes)
+    typer.echo(tables.as_json({"rows": rows}) if json else as_text(rows), nl=False)
     if out is not None:
-        write(out, grid, rigs, rows, figure_stiffness, seed, workers)
-    return 0
+        drawn = experiment.figure_plan(next(iter(texts.values())), grid, figure_stiffness, seed)
+        courses = experiment.courses(grid, conduct(drawn))
+        write(out, grid, rows, courses, figure_stiffness)
+    return FAILED if any(outcome.verdict.broken for outcome in outcomes) else 0
 
 
 def stability_map(
@@ -81,7 +90,7 @@ def stability_map(
     force: Force = 10.0,
     preset: Preset = "tuned",
     seeds: Annotated[int, typer.Option(min=1, help="Runs a cell.")] = 3,
-    seed: FirstSeed = 1,
+    seed: campaign.FirstSeed = 1,
     workers: Workers = 2,
     checks: Annotated[int, typer.Option(min=0, help="Cells checked over the wire.")] = 12,
     figure: Annotated[Path, typer.Option(help="The picture, a PNG.")] = Path("stability_map.png"),
@@ -98,7 +107,7 @@ def stability_map(
         law, ",".join(map(str, experiment.STIFFNESSES)), ",".join(map(str, experiment.LATENCIES)),
         preset, (force, 4.0, 16.0), "0,50",
     )  # fmt: skip
-    rigs = _rigs(rate)
+    rigs = {number: rig for number, (rig, _) in _rigs(rate).items()}
     _writable(figure)
     cells = list(experiment.stability_map(rigs, grid, range(seed, seed + seeds), workers))
     experiment.draw(cells, figure)
@@ -138,7 +147,8 @@ def _grid(
         raise typer.BadParameter(str(error)) from None
 
 
-def _rigs(rate: str) -> "dict[int, Rig]":
+def _rigs(rate: str) -> "dict[int, tuple[Rig, str]]":
+    """By control rate: the shipped rig and its text."""
     from hil.cli.shipped import read  # noqa: PLC0415
     from hil.experiments.force_tracking.grid import RIGS  # noqa: PLC0415
 
@@ -146,7 +156,8 @@ def _rigs(rate: str) -> "dict[int, Rig]":
     for value in rates:
         if value not in RIGS:
             raise typer.BadParameter(f"--rate: {value:g} Hz; there are 125 (UR5) and 500 (UR5e)")
-    return {int(value): read(RIGS[int(value)])[0] for value in rates}
+    found = {int(value): read(RIGS[int(value)]) for value in rates}
+    return {number: (rig, content.decode()) for number, (rig, content) in found.items()}
 
 
 def _numbers(option: str, text: str) -> tuple[float, ...]:

@@ -85,8 +85,8 @@ def spot_checks(
     for index in rng.permutation(len(clear))[:count]:
         cell = clear[int(index)]
         variant = grid.variant(cell.law, cell.k_e, cell.latency_ms)
-        row = run(rigs[cell.rate_hz], seed, variant.as_json())
-        unstable = bool(row["unstable"])
+        figures, _ = run(rigs[cell.rate_hz], seed, variant.as_json())
+        unstable = bool(figures["unstable"])
         yield Check(cell, unstable, unstable == (cell.unstable > 0))
 
 

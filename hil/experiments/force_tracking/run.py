@@ -1,8 +1,9 @@
-"""One run over the wire: cell up, drivers connected, tracked, closed; a row of figures out."""
+"""One run over the wire: cell up, drivers connected, tracked, closed; figures out."""
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from pathlib import Path
+from typing import TypeAlias
 
 from controller.course import Course, Phase
 from controller.cycle import Cycle
@@ -15,37 +16,42 @@ from controller.track import Tracking, tracking
 from hil.app.inline import InlineCell
 from hil.app.near import limits, near_side, task_frame
 from hil.app.record import RunRecord, identity
+from hil.campaign.run import Json
 from hil.cell.rig import Rig
 from hil.experiments.force_tracking.figures import figures
 from hil.experiments.force_tracking.trace import Trace, Tracer
 from hil.experiments.force_tracking.variant import Variant, axis_of, rig_of
+from hil.recording.identity import Identity
 from hil.recording.recorder import Recorder
 
 SHOWN = 8
 """ms between two points of a kept time course."""
 
-Row = dict[str, object]
+Row: TypeAlias = "dict[str, Json]"
 
 
-def run(rig: Rig, seed: int, variant: Mapping[str, object]) -> Row:
-    """One run's row: a function of its arguments alone, so that a campaign may repeat it."""
+def run(rig: Rig, seed: int, variant: Mapping[str, Json], text: bytes = b"") -> tuple[Row, str]:
+    """One run's figures and how it ended: a function of its arguments alone.
+
+    text: the rig file, for the recording if one is made.
+    """
     what = Variant.from_json(variant)
-    trace, outcome = track(rig, seed, what)
+    trace, outcome = track(rig, seed, what, text)
     made = figures(trace, what.force, completed=outcome.kind is Kind.DONE)
-    row: Row = {**made._asdict(), "ending": f"{outcome.kind.value}: {outcome.reason}"}
+    row: Row = dict(made._asdict())
     if what.trace:
         row["course"] = _course(trace)
-    return row
+    return row, f"{outcome.kind.value}: {outcome.reason}"
 
 
-def track(rig: Rig, seed: int, variant: Variant) -> tuple[Trace, Outcome]:
+def track(rig: Rig, seed: int, variant: Variant, text: bytes = b"") -> tuple[Trace, Outcome]:
     """The experiment once; raises CellError, DriverError, RecordingError, ValueError."""
     rig = rig_of(rig, variant).on_free_ports()
     axis = axis_of(variant, rig.robot.period)
     job = Tracking(force=Step(variant.force))
     tracer = Tracer(rig.tool.mass)
     with ExitStack() as stack:
-        recorder = _recorder(rig, seed, variant, stack)
+        recorder = _recorder(identity_of(rig, seed, variant, text), variant, stack)
         cell = stack.enter_context(InlineCell(rig, seed, "lockstep", record=recorder is not None))
         frame = task_frame(rig)
         record = RunRecord(recorder, cell, frame, rig.robot.period) if recorder else None
@@ -68,15 +74,17 @@ def track(rig: Rig, seed: int, variant: Variant) -> tuple[Trace, Outcome]:
     return tracer.trace(), outcome
 
 
-def _recorder(rig: Rig, seed: int, variant: Variant, stack: ExitStack) -> Recorder | None:
+def identity_of(rig: Rig, seed: int, variant: Variant, text: bytes) -> Identity:
+    """Of the run's recording: rig file, seed, and the variant laid over the rig."""
+    settings = {key: str(value) for key, value in variant.as_json().items() if key != "recording"}
+    return identity(rig.name, text, seed, settings)
+
+
+def _recorder(about: Identity, variant: Variant, stack: ExitStack) -> Recorder | None:
     """An open recorder that a failing run abandons."""
     if not variant.recording:
         return None
-    settings = {key: str(value) for key, value in variant.as_json().items() if key != "recording"}
-    text = rig.model_dump_json(indent=1).encode()
-    recorder = Recorder(
-        Path(variant.recording), identity(rig.name, text, seed, settings), overwrite=True
-    )
+    recorder = Recorder(Path(variant.recording), about, overwrite=True)
     recorder.open()
     stack.callback(recorder.abandon)
     return recorder
@@ -112,7 +120,7 @@ class _Drive:
             self._record.cycle(cycle, setpoint, self._course)
 
 
-def _course(trace: Trace) -> dict[str, list[float]]:
+def _course(trace: Trace) -> dict[str, Json]:
     """Force (N) and position x_c (m) from the way down on, for a figure."""
     push = trace.push[: len(trace.push) // SHOWN * SHOWN].reshape(-1, SHOWN).mean(axis=1)
     step = max(1, SHOWN // trace.period)

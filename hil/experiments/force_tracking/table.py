@@ -4,13 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import bootstrap  # type: ignore[attr-defined]  # re-exported beyond mypy's sight
 
+from hil.experiments import statistics
 from hil.experiments.force_tracking.run import Row
 from hil.experiments.force_tracking.variant import Variant
-
-LEVEL = 0.95
-RESAMPLES = 2000
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,11 +81,8 @@ def spread_of(values: Sequence[float]) -> Spread | None:
     mean, sd = float(sample.mean()), float(sample.std(ddof=1)) if len(sample) > 1 else 0.0
     if sd == 0.0:
         return Spread(mean, sd, mean, mean)
-    interval = bootstrap(
-        (sample,), np.mean, n_resamples=RESAMPLES, confidence_level=LEVEL,
-        method="percentile", rng=np.random.default_rng(0),
-    ).confidence_interval  # fmt: skip
-    return Spread(mean, sd, float(interval.low), float(interval.high))
+    low, high = statistics.spread(values, np.random.default_rng(0), np.mean)
+    return Spread(mean, sd, low, high)
 
 
 def _mean(spread: Spread | None) -> float | None:

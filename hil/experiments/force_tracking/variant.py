@@ -2,15 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
-from typing import TypeAlias
 
 from controller.laws.bounds import Bounds
 from controller.laws.build import Parameters, build, settings_of
 from controller.laws.governor import Governor
+from hil.campaign.run import Json
 from hil.cell.rig import Rig
 from hil.cell.rig.latency import LatencyLaw
-
-Scalar: TypeAlias = str | float | int | bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +18,8 @@ class Variant:
     stiffness: k_e, N/m. latency: of sensor and command together, mean, s. force: f_d, N.
     bottoming_force: push (N) at which the surface turns as stiff as `bottoming_stiffness` (N/m).
     approach, push: inward speeds in free air and in contact, m/s. parameters: of the law.
-    trace: keep the time courses. recording: folder for the run's recording, "" for none.
+    nominal: the rig's own surface instead of a drawn one. trace: keep the time courses.
+    recording: folder for the run's recording, "" for none.
     """
 
     law: str
@@ -32,15 +31,16 @@ class Variant:
     push: float = 16e-3
     bottoming_force: float = 0.0
     bottoming_stiffness: float = 50e3
+    nominal: bool = False
     trace: bool = False
     recording: str = ""
 
-    def as_json(self) -> dict[str, object]:
+    def as_json(self) -> dict[str, Json]:
         """As a campaign passes it on."""
         return asdict(self)
 
     @classmethod
-    def from_json(cls, content: Mapping[str, object]) -> "Variant":
+    def from_json(cls, content: Mapping[str, Json]) -> "Variant":
         known = {field.name for field in fields(cls)}
         return cls(**{key: value for key, value in content.items() if key in known})  # type: ignore[arg-type]
 
@@ -61,6 +61,9 @@ def rig_of(rig: Rig, variant: Variant) -> Rig:
     )
     return rig.model_copy(
         update={
+            "randomisation": rig.randomisation.model_copy(
+                update={"enabled": rig.randomisation.enabled and not variant.nominal}
+            ),
             "surface": rig.surface.model_copy(update=surface),
             "latency": latency.model_copy(update={"rtde": rtde, "can": can}),
         }
