@@ -11,6 +11,9 @@ from typing import Final
 
 _UNDER_WAY: Final = (0, errno.EINPROGRESS)
 
+MAX_OPEN: Final = 64
+"""Assumed: more means that a loop opens sockets without end."""
+
 MAX_UNREAD: Final = 1 << 20
 """Bytes a peer may send ahead of the program; beyond that TCP holds it back."""
 
@@ -58,8 +61,10 @@ class Sockets:
         self._connections: dict[str, _Connection] = {}
 
     def open(self, name: str, host: str, port: int) -> None:
-        """Begin to connect; one of that name is closed before."""
+        """Begin to connect; one of that name is closed before. ValueError when many are open."""
         self.close(name)
+        if len(self._connections) >= MAX_OPEN:
+            raise ValueError(f"{MAX_OPEN} sockets are open, which is all a program may have")
         link = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         link.setblocking(False)
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -67,7 +72,7 @@ class Sockets:
         try:
             # An error that comes at once shows again when the connection is polled.
             connection.gone = link.connect_ex((host, port)) not in _UNDER_WAY
-        except OSError:  # a host name that nobody knows
+        except (OSError, UnicodeError):  # a host name that nobody knows, or that cannot be one
             connection.gone = True
 
     def connected(self, name: str) -> bool | None:

@@ -14,9 +14,9 @@ from lark import Token, Tree
 from lark.visitors import Interpreter
 
 from hil.cell.arm.urscript.errors import ScriptError
-from hil.cell.arm.urscript.operators import INT_MAX
 from hil.cell.arm.urscript.scope import Node, Routine, nodes, place
 from hil.cell.arm.urscript.symbols import Builtin, variable
+from hil.cell.arm.urscript.values import INT_MAX
 
 P = TypeVar("P", bound=ast.expr | ast.stmt)
 _COMPARISONS: Final = {
@@ -67,10 +67,10 @@ class Expressions(Interpreter[Token, ast.expr]):
 
     def number(self, tree: Node) -> ast.expr:
         text = str(tree.children[0])
-        value = int(text) if text.isdigit() else float(text)
-        if value > INT_MAX if isinstance(value, int) else not isfinite(value):
-            raise ScriptError(f"number out of range: {text}", *place(tree))
-        return ast.Constant(value)
+        value = float(text)
+        if value > INT_MAX if text.isdigit() else not isfinite(value):
+            raise ScriptError(f"number out of range: {text[:40]}", *place(tree))
+        return ast.Constant(int(value) if text.isdigit() else value)
 
     def string(self, tree: Node) -> ast.expr:
         return ast.Constant(str(tree.children[0])[1:-1])

@@ -5,14 +5,12 @@ and `%` takes the sign of the divisor; the manual does not say, so these are ass
 """
 
 from collections.abc import Iterator
-from typing import Final, TypeAlias
+from typing import TypeAlias
 
 from hil.cell.arm.urscript.errors import ScriptError
-from hil.cell.arm.urscript.values import List, Pose, Value, expected, kind
+from hil.cell.arm.urscript.values import INT_MAX, INT_MIN, List, Pose, Value, expected, kind
 
 Number: TypeAlias = int | float
-INT_MIN: Final = -(2**31)
-INT_MAX: Final = 2**31 - 1
 
 
 def int32(result: Number) -> Number:

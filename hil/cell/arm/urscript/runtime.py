@@ -23,6 +23,11 @@ _OPERATORS: Final = (
 )  # fmt: skip
 
 
+FAULTS: Final = (ScriptError, NameError, RecursionError, ValueError, ArithmeticError)
+"""What a program's fault raises; the last two come from the robot's side (an index out of range)
+and from arithmetic on numbers that are not finite."""
+
+
 class RuntimeStatus(Enum):
     RUNNING = "running"
     FINISHED = "finished"
@@ -63,7 +68,7 @@ class Runtime:
                 self._end(RuntimeStatus.FINISHED, 0)
         except Halt as halt:
             self._end(RuntimeStatus.HALTED, _place(halt.__traceback__)[0])
-        except (ScriptError, NameError, RecursionError) as error:
+        except FAULTS as error:
             self.error = _located(error)
             self._end(RuntimeStatus.FAILED, self.error.line)
         return self.status
@@ -85,13 +90,15 @@ class Runtime:
         self._scheduler.close()
 
 
-def _located(error: ScriptError | NameError | RecursionError) -> ScriptError:
+def _located(error: Exception) -> ScriptError:
     """The error with the place that the innermost frame of the program was at."""
     where = _place(error.__traceback__)
     if isinstance(error, ScriptError):
         return error.at(*where)
     if isinstance(error, RecursionError):
         return ScriptError("calls nest too deeply", *where)
+    if not isinstance(error, NameError):
+        return ScriptError(str(error), *where)
     # Only the message bears the name, for locals too: "... variable 'v_x' ...".
     symbol = str(error).split("'")[1]
     return ScriptError(f"{written(symbol)} has no value yet", *where)

@@ -10,6 +10,9 @@ from typing import Final, TypeAlias
 from hil.cell.arm.pose import Vector3, Vector6
 from hil.cell.arm.urscript.errors import ScriptError
 
+INT_MIN: Final = -(2**31)
+INT_MAX: Final = 2**31 - 1
+
 
 class List(tuple["Value", ...]):
     """A URScript list, [a, b, ...]."""
@@ -56,9 +59,9 @@ def number(value: Value) -> float:
 def integer(value: Value) -> int:
     if type(value) is int:
         return value
-    if type(value) is float and value.is_integer():
+    if type(value) is float and value.is_integer() and INT_MIN <= value <= INT_MAX:
         return int(value)
-    raise expected("an integer", value)
+    raise expected("an integer of 32 bits" if type(value) is float else "an integer", value)
 
 
 def boolean(value: Value) -> bool:

@@ -4,8 +4,16 @@ import math
 from collections.abc import Callable
 
 from hil.cell.arm.urscript.errors import ScriptError
-from hil.cell.arm.urscript.operators import INT_MAX
-from hil.cell.arm.urscript.values import List, Value, boolean, integer, number, sequence
+from hil.cell.arm.urscript.operators import int32
+from hil.cell.arm.urscript.values import (
+    INT_MAX,
+    List,
+    Value,
+    boolean,
+    integer,
+    number,
+    sequence,
+)
 
 
 class Maths:
@@ -55,11 +63,11 @@ class Maths:
 
     @staticmethod
     def floor(f: Value) -> int:
-        return int(_defined(math.floor, f))
+        return int(int32(_defined(math.floor, f)))
 
     @staticmethod
     def ceil(f: Value) -> int:
-        return int(_defined(math.ceil, f))
+        return int(int32(_defined(math.ceil, f)))
 
     @staticmethod
     def d2r(d: Value) -> float:

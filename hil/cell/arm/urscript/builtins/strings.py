@@ -1,8 +1,10 @@
 """Builtins of strings and lists."""
 
+from math import isfinite
 from typing import Final
 
 from hil.cell.arm.urscript.errors import ScriptError
+from hil.cell.arm.urscript.operators import int32
 from hil.cell.arm.urscript.values import List, Pose, Value, integer, sequence, text
 
 MAX_STRING: Final = 1023
@@ -12,14 +14,11 @@ MAX_STRING: Final = 1023
 class Strings:
     @staticmethod
     def to_str(val: Value) -> str:
-        return shown(val)
+        return _short(shown(val))
 
     @staticmethod
     def str_cat(op1: Value, op2: Value) -> str:
-        joined = shown(op1) + shown(op2)
-        if len(joined) > MAX_STRING:
-            raise ScriptError(f"a string of {len(joined)} characters is longer than {MAX_STRING}")
-        return joined
+        return _short(shown(op1) + shown(op2))
 
     @staticmethod
     def str_len(str: Value) -> int:
@@ -50,8 +49,9 @@ class Strings:
 
     @staticmethod
     def to_num(str: Value) -> int | float:
+        whole = text(str).removeprefix("-").isdecimal()
         try:
-            return int(text(str)) if text(str).lstrip("-").isdigit() else float(text(str))
+            return int32(int(text(str)) if whole else _finite(text(str)))
         except ValueError:
             raise ScriptError(f"{text(str)!r} is not a number") from None
 
@@ -60,6 +60,19 @@ class Strings:
         return len(sequence(v))
 
     length = get_list_length
+
+
+def _short(text: str) -> str:
+    if len(text) > MAX_STRING:
+        raise ScriptError(f"a string of {len(text)} characters is longer than {MAX_STRING}")
+    return text
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if not isfinite(value):
+        raise ValueError(f"{text} is no finite number")
+    return value
 
 
 def shown(value: Value) -> str:
