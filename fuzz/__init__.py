@@ -1,0 +1,1 @@
+"""Fuzz targets: every decoder and interpreter, each held to its own error and to bounded memory."""
