@@ -2,6 +2,7 @@
 
 from functools import cache
 from importlib.resources import files
+from typing import Final
 
 from lark import Lark, Token, Transformer, v_args
 from lark.exceptions import UnexpectedInput, VisitError
@@ -20,9 +21,14 @@ from hil.monitors.formula import (
     negated,
 )
 
+MAX_LENGTH: Final = 1000
+"""Ten times the longest in use; each of its operators is a nested call in every step."""
+
 
 def parse(text: str) -> Formula:
     """The formula in `text`; raises MonitorError."""
+    if len(text) > MAX_LENGTH:
+        raise MonitorError(f"a formula of {len(text)} characters, allowed are {MAX_LENGTH}")
     try:
         tree = _grammar().parse(text)
         formula: Formula = _Tree().transform(tree)
@@ -30,6 +36,8 @@ def parse(text: str) -> Formula:
         raise MonitorError(_where(text, error)) from None
     except VisitError as error:
         raise MonitorError(f"'{text}': {error.orig_exc}") from None
+    except RecursionError:
+        raise MonitorError("the formula nests too deeply") from None
     return formula
 
 

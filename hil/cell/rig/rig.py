@@ -101,8 +101,10 @@ def parse(text: str) -> Rig:
     """The rig in a YAML text; raises RigError."""
     try:
         content = yaml.safe_load(text)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError) as error:  # ValueError: a date or number that is none
         raise RigError(f"not YAML: {' '.join(str(error).split())}") from None
+    except RecursionError:
+        raise RigError("not a rig file: its sections nest too deeply") from None
     if not isinstance(content, dict):
         raise RigError(f"a rig file is a mapping of sections, found {type(content).__name__}")
     try:
