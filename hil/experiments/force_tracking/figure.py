@@ -40,7 +40,7 @@ def draw(courses: Mapping[str, Sequence[Row]], force: float, title: str, path: P
         xlabel="time from the first contact [s]",
     )  # fmt: skip
     position.set(ylabel="$x_c$ [mm]", title="(a) position tracking")
-    position.legend(loc="upper left", fontsize=8)
+    position.legend(loc="upper right", fontsize=8)
     sheet.suptitle(title)
     sheet.savefig(path, dpi=120)
 
