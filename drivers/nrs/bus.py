@@ -28,6 +28,9 @@ def open_bus(
 ) -> can.BusABC:
     """Open a bus; LinkError names interface, channel and reason."""
     try:
+        if address.interface == "socketcan":
+            # python-can would open a socket first and leave it behind when there is no interface.
+            socket.if_nametoindex(address.channel)
         bus = can.Bus(**options(address, fd, bitrate, context))  # type: ignore[arg-type]
     except Exception as error:  # python-can's back ends raise NameError, OSError and their own
         reason = " ".join(str(error).split()) or type(error).__name__

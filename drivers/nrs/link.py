@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import suppress
+from errno import ENETDOWN
 
 import can
 
@@ -83,4 +84,9 @@ class Link:
 
     def _recover(self, error: Exception) -> None:
         self.last_error = f"{type(error).__name__}: {error}"
+        # A kernel socket outlives its interface's going down and hears again once it is up; a new
+        # one, opened while it is down, would owe the same error first and lose what came meanwhile.
+        code = getattr(error, "error_code", None) or getattr(error, "errno", None)
+        if code == ENETDOWN and self._receiver is None:
+            return
         self.reopen()

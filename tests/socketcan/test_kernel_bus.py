@@ -1,11 +1,14 @@
 """What a kernel CAN socket adds to the driver's bus: its buffer, its clock, its error frames."""
 
+import subprocess
+
 import can
 import pytest
 
-from drivers.errors import BusFaultError
+from drivers.errors import BusFaultError, LinkError
 from drivers.interfaces import BusState, Freshness
 from drivers.nrs.bus import open_bus
+from drivers.nrs.can_sensor import CanSensor
 from drivers.nrs.confinement import GOOD_FRAMES
 from drivers.protocol.bus_address import BusAddress
 from hil.app.run import Request, run
@@ -99,3 +102,51 @@ def test_a_run_over_the_kernels_bus_records_what_one_on_the_virtual_bus_does(tmp
     assert "CAN: socketcan vcan0" in kernel.description
     assert kernel.outcome == virtual.outcome
     assert kernel.digest == virtual.digest
+
+
+def ip(*words):
+    subprocess.run(["ip", "link", *words], check=True, timeout=30)
+
+
+@pytest.fixture
+def vcan7():
+    ip("add", "dev", "vcan7", "type", "vcan")
+    ip("set", "vcan7", "up")
+    yield BusAddress("socketcan", "vcan7")
+    ip("del", "vcan7")
+
+
+@pytest.fixture
+def listening(vcan7):
+    sensor = CanSensor(*vcan7)
+    sensor.connect()
+    sensor.poll(0)
+    yield sensor
+    sensor.close()
+
+
+def foreign_frame_is_heard(sensor, address, t):
+    before = sensor.health.foreign
+    with open_bus(address, fd=False) as peer:
+        peer.send(can.Message(arbitration_id=0x7FF, is_extended_id=False))
+        sensor.poll(t)
+    return sensor.health.foreign == before + 1
+
+
+def test_an_interface_that_went_down_is_named_and_heard_again_when_it_is_up(listening, vcan7):
+    assert foreign_frame_is_heard(listening, vcan7, 1)
+    ip("set", "vcan7", "down")
+    listening.poll(2)
+    assert "Network is down" in listening.health.last_error
+    ip("set", "vcan7", "up")
+    assert foreign_frame_is_heard(listening, vcan7, 3)
+
+
+def test_an_interface_that_was_deleted_and_made_again_is_heard_again(listening, vcan7):
+    ip("del", "vcan7")
+    with pytest.raises(LinkError, match="vcan7"):  # the link cannot be opened anew yet
+        listening.poll(2)
+    ip("add", "dev", "vcan7", "type", "vcan")
+    ip("set", "vcan7", "up")
+    listening.connect()
+    assert foreign_frame_is_heard(listening, vcan7, 3)
