@@ -1,15 +1,12 @@
 """What holds for every test: nothing that it opened outlives it."""
 
-import os
-import threading
 from collections.abc import Iterator
-from multiprocessing import active_children
-from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from hil.cell.sensor.can_interfaces import up_can_interfaces
+from hil_fixtures.plugin.health import Health
 
 # How long an example takes says how busy the machine is, and nothing about the law it tests.
 settings.register_profile("hil", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -31,21 +28,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [item for item in items if item not in left_out]
 
 
-def _sockets() -> set[str]:
-    """Sockets this process holds, by inode."""
-    links = set()
-    for entry in Path("/proc/self/fd").iterdir():
-        try:
-            links.add(os.readlink(entry))
-        except FileNotFoundError:  # the listing's own descriptor
-            continue
-    return {link for link in links if link.startswith("socket:")}
-
-
 @pytest.fixture(autouse=True)
 def _leaves_no_thread_socket_or_process() -> Iterator[None]:
-    threads, sockets = set(threading.enumerate()), _sockets()
+    before = Health.now()
     yield
-    assert set(threading.enumerate()) <= threads, "a thread outlived its test"
-    assert _sockets() <= sockets, "a socket outlived its test"
-    assert not active_children(), "a process outlived its test"
+    assert not before.leaks()

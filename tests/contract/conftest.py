@@ -32,7 +32,6 @@ ON_TCP = "sensor: {boot_time: 8 ms, wire: tcp, tcp: {port: 0}}"
 
 def pytest_addoption(parser):
     group = parser.getgroup("hil contract")
-    group.addoption("--rig", metavar="FILE", help="run the contract over this rig's devices too")
     group.addoption("--moves", action="store_true", help="the arm of --rig may move")
 
 
@@ -227,7 +226,7 @@ class RealSensorCell:
 
 def named_rig(config):
     """The rig that `--rig FILE` names; skips unless its arm may move."""
-    file = config.getoption("--rig", default=None)
+    file = config.getoption("--rig")
     if file is None:
         pytest.skip("needs --rig FILE: a rig whose devices are up")
     if not config.getoption("--moves"):

@@ -28,6 +28,8 @@ class Rig(Section):
     """Whether the addresses are served by an emulated cell or are those of real devices."""
     seed: int = Field(default=1, ge=0)
     clock: Literal["lockstep", "wall"] = "lockstep"
+    features: tuple[str, ...] = ()
+    """What else a test may need of it (`@pytest.mark.needs`): words of the rig's owner."""
     robot: Robot = Robot()
     sensor: Sensor = Sensor()
     can: CanBus = CanBus()
