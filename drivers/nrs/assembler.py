@@ -6,7 +6,6 @@ Keeping the last of each half instead would mix two samples whenever a frame is 
 from typing import Final, NamedTuple, TypeAlias
 
 from drivers.interfaces import Vector6
-from drivers.protocol.frame import CanFrame
 from drivers.protocol.nrs_can import Identifiers, ProtocolError
 from drivers.protocol.nrs_sample import Sample, decode_fd, decode_pair
 
@@ -65,14 +64,13 @@ class Assembler:
             self._halves.clear()
         self._synchronised, self._last_t = True, t
 
-    def accept(self, frame: CanFrame, t: int) -> NumberedSample | None:
+    def accept(self, identifier: int, octets: bytes, fd: bool, t: int) -> NumberedSample | None:
         """The sample that this data frame completes at arm time t, if it does."""
-        identifier, octets, fd = frame
         if self._synchronised and t - self._last_t > OUTAGE:
             self._synchronised = False
         try:
             if fd or self._fd or len(octets) != _PAYLOAD:
-                sample: Sample | None = self._other(frame)
+                sample: Sample | None = self._other(identifier, octets, fd)
             else:
                 sample = self._join(identifier == self._ids.force, octets, t)
         except ProtocolError as error:
@@ -80,13 +78,13 @@ class Assembler:
             return None
         return None if sample is None else self._number(sample, t)
 
-    def _other(self, frame: CanFrame) -> Sample:
+    def _other(self, identifier: int, octets: bytes, fd: bool) -> Sample:
         """The sample in a CAN FD frame; ProtocolError for what is not meant to be here."""
-        if frame.fd != self._fd:
-            raise ProtocolError(f"frame {frame.id:#x} is {'' if frame.fd else 'not '}CAN FD")
-        if not frame.fd:
-            raise ProtocolError(f"frame {frame.id:#x} has {len(frame.data)} bytes instead of 8")
-        return decode_fd(self._ids, frame.data)
+        if fd != self._fd:
+            raise ProtocolError(f"frame {identifier:#x} is {'' if fd else 'not '}CAN FD")
+        if not fd:
+            raise ProtocolError(f"frame {identifier:#x} has {len(octets)} bytes instead of 8")
+        return decode_fd(self._ids, octets)
 
     def _join(self, is_force: bool, octets: bytes, t: int) -> Sample | None:
         """The sample whose other half has been waiting; None while a half waits."""
@@ -103,29 +101,32 @@ class Assembler:
         return decode_pair(octets, half[1]) if is_force else decode_pair(half[1], octets)
 
     def _wait(self, counter: int, half: _Half) -> None:
-        if self._last is not None and self._synchronised:
-            step = self._distance(counter, self._last)
+        halves, last = self._halves, self._last
+        # In order, which it nearly always is, a half is of the sample after the last.
+        if last is not None and self._synchronised and counter != last + 1 & 0xFF:
+            step = self._distance(counter, last)
             self.duplicates += step == 0  # its sample is complete already
             self.torn += step < 0  # its turn is over
             if step <= 0:
                 return
-        self._halves[counter] = half
-        if len(self._halves) > WINDOW:
-            del self._halves[next(iter(self._halves))]
+        halves[counter] = half
+        if len(halves) > WINDOW:
+            del halves[next(iter(halves))]
             self.torn += 1
 
     def _number(self, sample: Sample, t: int) -> NumberedSample | None:
         last = self._last
         if last is None or not self._synchronised:
             return None
-        step = self._distance(sample.counter, last)
+        wrench, flags, counter = sample
+        step = self._distance(counter, last)
         if step <= 0:
             self.duplicates += 1
             return None
         self.pairs += 1
         self.gaps += step - 1
         self._last, self._last_t = last + step, t
-        return NumberedSample(last + step, sample.wrench, sample.flags)
+        return NumberedSample(last + step, wrench, flags)
 
     def nearest(self, counter: int) -> int:
         """The number nearest the last sample's whose low byte is `counter`."""

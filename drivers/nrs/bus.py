@@ -2,11 +2,12 @@
 
 import os
 import socket
-from collections.abc import Callable
 from contextlib import suppress
+from queue import Queue
 from typing import Final
 
 import can
+from can.interfaces.virtual import VirtualBus
 
 from drivers.errors import LinkError
 from drivers.protocol.bus_address import BusAddress
@@ -70,10 +71,21 @@ def _widen(bus: can.BusABC) -> None:
         duplicate.setsockopt(socket.SOL_SOCKET, _SO_RCVBUFFORCE, RECEIVE_BUFFER)
 
 
-def drain(bus: can.BusABC, take: Callable[[can.Message], None]) -> None:
-    """Hand over every message that the bus holds now, oldest first."""
+def drain(bus: can.BusABC, into: list[can.Message]) -> None:
+    """Append every message that the bus holds now, oldest first."""
+    if isinstance(bus, VirtualBus) and not bus.filters:
+        _drain_queue(bus.queue, into)
+        return
     while (message := bus.recv(0)) is not None:
-        take(message)
+        into.append(message)
+
+
+def _drain_queue(inbox: "Queue[can.Message]", into: list[can.Message]) -> None:
+    """All of the in-process bus at once: `recv` takes its lock and reads the clock each time."""
+    with inbox.not_full:
+        into.extend(inbox.queue)
+        inbox.queue.clear()
+        inbox.not_full.notify_all()
 
 
 def send(bus: can.BusABC, frame: CanFrame) -> None:

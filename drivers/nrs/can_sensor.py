@@ -1,6 +1,6 @@
 """The force/torque sensor on CAN, as drivers.interfaces.ForceTorqueSensor."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import partial
 from typing import Final
 
@@ -12,10 +12,9 @@ from drivers.nrs.bus import open_bus
 from drivers.nrs.confinement import Confinement
 from drivers.nrs.link import Link
 from drivers.nrs.plausibility import TYPICAL, Plausible
-from drivers.nrs.session import Session
+from drivers.nrs.session import Heard, Session
 from drivers.protocol.bus_address import BusAddress
 from drivers.protocol.can_error import decode_error
-from drivers.protocol.frame import CanFrame
 
 SILENCE: Final = 1_000_000_000
 """A node sends ten heartbeats a second; after this long without any frame the bus is reopened."""
@@ -86,17 +85,23 @@ class CanSensor:
         if request is not None:
             self._link.send(request)
 
-    def _standard(self, messages: Iterable[can.Message]) -> Iterator[CanFrame]:
+    def _standard(self, messages: list[can.Message]) -> list[Heard]:
         """The frames among them; an extended 0x181 is not 0x181, and is counted as foreign."""
+        frames = [
+            (message.arbitration_id, bytes(message.data), message.is_fd)
+            for message in messages
+            if not (message.is_extended_id or message.is_remote_frame or message.is_error_frame)
+        ]
+        if len(frames) != len(messages):
+            self._foreign += len(messages) - len(frames)
+            self._hear_errors(message for message in messages if message.is_error_frame)
+        return frames
+
+    def _hear_errors(self, messages: Iterable[can.Message]) -> None:
         for message in messages:
-            if message.is_extended_id or message.is_remote_frame or message.is_error_frame:
-                self._foreign += 1
-                if message.is_error_frame:
-                    error = decode_error(message.arbitration_id, bytes(message.data))
-                    self._confinement.hear(error)
-                    self._last_error = error.text
-            else:
-                yield CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
+            error = decode_error(message.arbitration_id, bytes(message.data))
+            self._confinement.hear(error)
+            self._last_error = error.text
 
     def read(self, t: int) -> WrenchReading:
         """Poll, then the newest wrench; raises what poll raises, and SensorError for no wrench."""

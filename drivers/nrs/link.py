@@ -57,7 +57,7 @@ class Link:
         try:
             if self._receiver is not None:
                 return self._receiver.take()
-            drain(self._opened(), messages.append)
+            drain(self._opened(), messages)
         except (can.CanError, OSError, ValueError) as error:
             self._recover(error)
         except LinkError as error:

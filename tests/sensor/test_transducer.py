@@ -34,7 +34,7 @@ def test_the_quiet_preset_only_quantises(force, torque):
     wrench = np.array(force + torque)
     counts = measure(QUIET, [wrench])
     assert np.all(np.abs(counts.values[0] * RESOLUTION - wrench) <= RESOLUTION / 2 + 1e-9)
-    assert counts.alarms.tolist() == [0]
+    assert counts.alarms is None
 
 
 def test_white_noise_has_the_preset_sigma():
@@ -112,7 +112,7 @@ def test_a_low_pass_lowers_white_noise_as_a_one_pole_does():
 )  # fmt: skip
 def test_range_ceiling_and_damage_raise_their_alarms(force, alarm):
     counts = measure(QUIET, [[0, 0, -force, 0, 0, 0]])
-    assert counts.alarms.tolist() == [alarm]
+    assert (counts.alarms is None and alarm == 0) or counts.alarms.tolist() == [alarm]
     assert counts.values[0, 2] * 0.015 == pytest.approx(-min(force, 600.0), abs=0.0076)
 
 

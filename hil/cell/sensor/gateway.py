@@ -1,6 +1,6 @@
 """The cell's end of the CAN bus; the only file of the far side that knows python-can."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Final, TypeAlias
 from uuid import uuid4
 
@@ -62,7 +62,16 @@ class Gateway:
 
     def receive(self) -> list[CanFrame]:
         """Standard data frames that others sent since the last call; raises DoorError."""
-        frames: list[CanFrame] = []
+        bus = self._bus
+        messages = bus.take_all() if isinstance(bus, SharedVirtualBus) else self._received()
+        return [
+            CanFrame(message.arbitration_id, bytes(message.data), message.is_fd)
+            for message in messages
+            # udp_multicast hears its own frames; nobody else owns these identifiers.
+            if _is_data(message) and message.arbitration_id not in self._sent
+        ]
+
+    def _received(self) -> Iterator[can.Message]:
         for _ in range(MOST):
             try:
                 message = self._bus.recv(0)
@@ -72,11 +81,8 @@ class Gateway:
                 self._say(f"{self.describe()}: {error}")
                 continue
             if message is None:
-                break
-            if _is_data(message) and message.arbitration_id not in self._sent:
-                # udp_multicast hears its own frames; nobody else owns these identifiers.
-                frames.append(CanFrame(message.arbitration_id, bytes(message.data), message.is_fd))
-        return frames
+                return
+            yield message
 
     def close(self) -> None:
         self._bus.shutdown()

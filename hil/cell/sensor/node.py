@@ -1,5 +1,6 @@
 """The sensor node: clock, boot, samples, commands; frames out with their times, no bus in here."""
 
+from bisect import bisect_right
 from operator import itemgetter
 from typing import Final, TypeAlias
 
@@ -12,7 +13,7 @@ from drivers.protocol.nrs_command import Reply, decode_command, encode_reply
 from drivers.protocol.nrs_status import NodeState, StatusBit
 from hil.cell.rig.sensor import Sensor
 from hil.cell.sensor.announcer import Announcer
-from hil.cell.sensor.commands import CommandServer, Settings
+from hil.cell.sensor.commands import CommandServer, Operation, Settings
 from hil.cell.sensor.framing import Batch, Framing, Timed
 from hil.cell.sensor.tare import Tare
 from hil.cell.sensor.transducer import DAMAGED, Counts, Transducer, error_budget
@@ -136,12 +137,7 @@ class SensorNode:
 
     def _sample(self, times: list[int], counts: Counts) -> None:
         operation, tare = self._server.operation, self._server.tare
-        alarms = counts.alarms
-        self._alarms = int(alarms[-1]) if len(alarms) else self._alarms
-        if alarms.any():
-            operation.gauge_fault |= bool((alarms & DAMAGED).any())
-        if operation.gauge_fault:
-            alarms = alarms | DAMAGED
+        alarms = self._alarmed(counts, operation)
         if not (operation.transmit or self.listened) or not times:
             return
         period = self._server.settings.period
@@ -149,11 +145,21 @@ class SensorNode:
         chosen = slice(first, None, period)
         was_tared = tare.set
         values, still_old = tare.apply(counts.values[chosen], operation.sent)
-        batch = Batch(times[chosen], values, alarms[chosen], operation.sent, still_old)
+        batch = Batch(times[chosen], values, alarms and alarms[chosen], operation.sent, still_old)
         self.samples = batch
         if operation.transmit:
             self._outbox += self._framing.frames(batch, (was_tared, tare.set))
             operation.sent += len(batch.times)
+
+    def _alarmed(self, counts: Counts, operation: Operation) -> list[int] | None:
+        """The alarms of these samples, None where there are none; a damaged gauge stays so."""
+        if counts.alarms is None and not operation.gauge_fault:
+            self._alarms = 0 if len(counts.values) else self._alarms
+            return None
+        alarms = [0] * len(counts.values) if counts.alarms is None else counts.alarms.tolist()
+        self._alarms = alarms[-1] if alarms else self._alarms
+        operation.gauge_fault |= any(alarm & DAMAGED for alarm in alarms)
+        return [alarm | DAMAGED for alarm in alarms] if operation.gauge_fault else alarms
 
     def _announce(self, t: int) -> None:
         operation = self._server.operation
@@ -179,10 +185,10 @@ class SensorNode:
 
     def _leaving(self, t: int) -> list[Timed]:
         """The outbox up to t, in order; a TORQUE still on its way stays for the next period."""
-        self._outbox.sort(key=_emission_time)
-        late = sum(1 for moment, _ in self._outbox[-8:] if moment > t)
-        cut = len(self._outbox) - late
-        leaving, self._outbox = self._outbox[:cut], self._outbox[cut:]
+        outbox = self._outbox
+        outbox.sort(key=_emission_time)
+        cut = bisect_right(outbox, t, key=_emission_time)
+        leaving, self._outbox = outbox[:cut], outbox[cut:]
         return leaving
 
 

@@ -38,11 +38,12 @@ def error_budget(sensor: Sensor) -> Errors:
 class Counts(NamedTuple):
     """values: untared, in the sensor's resolution, (n, 6).
 
-    alarms: a bit per overloaded axis, SATURATED, DAMAGED, (n,).
+    alarms: a bit per overloaded axis, SATURATED, DAMAGED, (n,); None when nobody looked, because
+    no gauge was near its range.
     """
 
     values: IntArray
-    alarms: IntArray
+    alarms: IntArray | None
 
 
 class Transducer:
@@ -56,6 +57,7 @@ class Transducer:
         self._resolution = _per_axis(sensor.resolution_force, sensor.resolution_torque)
         self._range = _per_axis(sensor.range_force, sensor.range_torque)
         self._range_counts = self._range / self._resolution
+        self._watched = self._range_counts - 1.0
         self._ceiling = sensor.saturation * self._range_counts
         self._calibration = self._draw_calibration(errors, rng) / self._resolution
         bias = _per_axis(errors.bias_force, errors.bias_torque) / self._resolution
@@ -92,14 +94,14 @@ class Transducer:
         """Counts of consecutive conversions, the last one at t ns after power-up, (n, 6)."""
         n = len(wrenches)
         if n == 0:
-            return Counts(np.empty((0, 6), np.int64), np.empty(0, np.int64))
+            return Counts(np.empty((0, 6), np.int64), None)
         signal = self._hysteresis.follow(wrenches) @ self._calibration
         signal += self._disturbance.take(n)
         signal += self._bias - self._warm_up * math.expm1(-t / self._warm_up_time)
         # A filter hides an overload from the values, so with one every block is looked at.
-        if self._low_pass.cutoff or np.count_nonzero(np.abs(signal) > self._range_counts - 1.0):
+        if self._low_pass.cutoff or np.count_nonzero(np.abs(signal) > self._watched):
             return self._guarded(wrenches, signal)
-        return Counts(np.rint(signal).astype(np.int64), np.zeros(n, np.int64))
+        return Counts(np.rint(signal).astype(np.int64), None)
 
     def _guarded(self, wrenches: Array, signal: Array) -> Counts:
         """Counts of a signal that may be beyond the range: clipped, filtered, with its alarms."""
