@@ -110,6 +110,34 @@ def test_a_set_point_that_is_not_finite_makes_a_protective_stop(running):
     assert np.isfinite(target.q).all()
 
 
+def test_the_report_follows_the_joints_through_a_stretched_arm(running):
+    goal = (-1.54, -1.83, -2.28, -0.59, 1.60, 0.023)  # the elbow goes from 2.1 through 0
+    running.arm.upload(f"movej({list(goal)})\n")
+    for _ in range(800):
+        running.run()
+        assert running.box.measured.q == pytest.approx(running.box.servo.q, abs=1e-3)
+    assert running.box.measured.q == pytest.approx(goal, abs=1e-6)
+
+
+def test_a_tool_that_presses_too_hard_makes_a_protective_stop_from_which_the_arm_can_leave(running):
+    press = (0.0, 0.0, 251.0, 0.0, 0.0, 0.0)
+
+    def held(cycles):
+        for _ in range(cycles):
+            target = running.arm.frame(running.t)
+            running.t += running.box.period
+            running.arm.observe(running.t, target.flange, ZERO6, press, part_held=False)
+
+    held(2)
+    assert running.box.modes.safety is SafetyMode.PROTECTIVE_STOP
+    assert "protective stop: TCP force 251 N, allowed is 250 N" in running.log
+    held(700)  # 5 s and a little
+    running.box.post(Event.UNLOCK)
+    running.arm.upload(SERVO)
+    held(2)
+    assert running.box.modes.program is RuntimeState.PLAYING
+
+
 def test_an_unlocked_arm_takes_a_new_program(following):
     step_of(following, 0.06)
     following.seconds(5.5)
@@ -122,7 +150,7 @@ def test_an_unlocked_arm_takes_a_new_program(following):
 
 def test_silence_of_a_watched_input_stops_the_arm(running):
     running.arm.upload(
-        'def watched():\n  rtde_set_watchdog("input_int_register_24", 10, "stop")\n'
+        'def watched():\n  rtde_set_watchdog("input_int_register_24", 10, "STOP")\n'
         "  while True:\n    sync()\n  end\nend\n"
     )
     running.run(3)

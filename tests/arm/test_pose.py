@@ -76,6 +76,14 @@ def test_twist_is_the_displacement_over_time(a, velocity):
     assert np.allclose(twist, (*velocity, *velocity), atol=1e-6)
 
 
+@pytest.mark.parametrize("angle", [6e-7, 1e-4, 1.0, 3.0])
+def test_a_rotation_vector_is_exact_for_small_and_large_angles(angle):
+    axis = (0.48, -0.6, 0.64)
+    vector = tuple(angle * a for a in axis)
+    found = pose.rotation_vector(pose.rotation_of(*vector))
+    assert found == pytest.approx(vector, rel=1e-9)
+
+
 def test_twist_of_a_point_turns_about_the_axis():
     assert pose.twist_at((0, 0, 0, 0, 0, 2.0), (1.0, 0, 0)) == (0, 2.0, 0, 0, 0, 2.0)
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from hil.cell.arm.safety import Motion, judge
+from hil.cell.arm.safety import ForceGuard, Motion, judge
 from hil.cell.rig.robot import Safety
 
 LIMITS = Safety()
@@ -39,3 +39,14 @@ def test_a_joint_that_braked_beyond_its_range_may_come_back_but_not_stay_out():
     outside = (6.31, *HOME[1:])
     assert judge(motion(step=-0.001, q=outside), LIMITS) is None
     assert judge(motion(step=0.001, q=outside), LIMITS) is not None
+
+
+def test_too_hard_a_press_stops_once_and_again_only_when_it_grows_or_comes_back():
+    guard = ForceGuard(250.0)
+    pressed = lambda force: guard.judge((0.0, 0.0, force, 99.0, 0.0, 0.0))  # noqa: E731
+    assert pressed(249.0) is None
+    assert pressed(-260.0) == "TCP force 260 N, allowed is 250 N"
+    assert [pressed(force) for force in (-260.0, -280.0, -255.0)] == [None] * 3  # drives away
+    assert pressed(-290.0) is not None
+    assert pressed(0.0) is None
+    assert pressed(251.0) is not None

@@ -11,7 +11,7 @@ from hil.cell.arm.modes import Event
 from hil.cell.arm.pose import Pose, Vector6, compose
 from hil.cell.arm.programs import Programs
 from hil.cell.arm.repeatability import Repeatability
-from hil.cell.arm.safety import Motion, judge
+from hil.cell.arm.safety import ForceGuard, Motion, judge
 from hil.cell.arm.script_port import ScriptPort
 from hil.cell.arm.servo import STOP_DECELERATION
 from hil.cell.arm.watchdog import Action
@@ -33,13 +33,14 @@ class ArmTarget(NamedTuple):
 class ArmController:
     """An emulated control box with its arm; `frame` and `observe` once a period, in turn."""
 
-    __slots__ = ("_dt", "_repeatability", "box", "port", "programs")
+    __slots__ = ("_dt", "_force", "_repeatability", "box", "port", "programs")
 
     def __init__(self, robot: Robot, rng: np.random.Generator) -> None:
         self.box = ControlBox(robot)
         self.port = ScriptPort(self.box)
         self.programs = Programs(self.box, self.port)
         self._dt = robot.period / NS
+        self._force = ForceGuard(robot.safety.tcp_force)
         self._repeatability = Repeatability(robot.repeatability, rng)
         deviation = CURRENTS if robot.series == "cb3" else BUILT_IN
         # A child stream: the repeatability's draws stay what they are without force noise.
@@ -84,7 +85,7 @@ class ArmController:
         """
         box = self.box
         box.t = t
-        box.measured.take(t, self._repeatability.reported(flange), twist, force)
+        box.measured.take(t, self._repeatability.reported(flange), twist, force, box.servo.q)
         box.contact.note(box.measured.q, force)
         box.signals.set_input(box.jaws.sensed_input, box.jaws.sense(part_held, t))
 
@@ -94,6 +95,10 @@ class ArmController:
         return tuple(self.box.log)
 
     def _watch(self, t: int) -> None:
+        """Stop an arm that presses too hard, and do what a silent input asks for."""
+        pressed = self._force.judge(self.box.measured.force)
+        if pressed is not None and self.box.modes.moving:
+            self.box.protective_stop(pressed)
         tripped = self.box.watchdog.tripped(t)
         if tripped is None:
             return

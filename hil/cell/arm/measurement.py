@@ -99,14 +99,16 @@ class Measurement:
         self._tool = tool
         self.t = 0
 
-    def take(self, t: int, flange: Pose, twist: Vector6, force: Vector6) -> None:
+    def take(self, t: int, flange: Pose, twist: Vector6, force: Vector6, target: Vector6) -> None:
         """Note the state at bench time t, ns; PlantError when no joint angles explain it.
 
-        Joint speed is the mean since the last call: encoders are differentiated in a real box too.
+        Of the joint angles that explain it, those nearest `target`, the servo's: where an arm
+        stretches and folds the other way, those nearest the last ones would stay behind. Joint
+        speed is the mean since the last call: encoders are differentiated in a real box too.
         """
         before, seconds = self.q, (t - self.t) / NS
         if flange != self.flange:
-            self.q = self._angles(flange)
+            self.q = self._angles(flange, target)
             self.flange = flange
         moved = seconds > 0.0 and self.q is not before
         self.qd = _rate(before, self.q, seconds) if moved else ZERO6
@@ -122,9 +124,9 @@ class Measurement:
         """TCP velocity in the base frame, m/s and rad/s."""
         return self._tool.twist(self.flange, self._flange_twist)
 
-    def _angles(self, flange: Pose) -> Vector6:
+    def _angles(self, flange: Pose, target: Vector6) -> Vector6:
         try:
-            return self._kinematics.inverse(flange, self.q)
+            return self._kinematics.inverse(flange, target)
         except ValueError as error:
             q, miss = self._kinematics.nearest(flange, self.q)
             if miss > OVERREACH:

@@ -5,7 +5,7 @@ may (10 us against 1 us, measured).
 """
 
 from collections.abc import Sequence
-from math import acos, cos, isfinite, pi, sin, sqrt
+from math import atan2, cos, isfinite, pi, sin, sqrt
 from typing import Final, NamedTuple, TypeAlias
 
 Vector3: TypeAlias = tuple[float, float, float]
@@ -59,7 +59,7 @@ def rotation_vector(rotation: Rotation) -> Vector3:
     twice_sine = sqrt(x * x + y * y + z * z)
     cosine = (r00 + r11 + r22 - 1.0) * 0.5
     if twice_sine > 1e-6:
-        angle = acos(max(-1.0, min(1.0, cosine)))
+        angle = atan2(0.5 * twice_sine, cosine)  # acos loses half its digits near 0
         k = angle / twice_sine
         return (x * k, y * k, z * k)
     if cosine > 0.0:

@@ -1,11 +1,14 @@
 """The safety system's judgement of a joint set-point: None, or why it makes a protective stop."""
 
 from collections.abc import Sequence
-from math import dist, isfinite
-from typing import NamedTuple
+from math import dist, hypot, isfinite
+from typing import Final, NamedTuple
 
 from hil.cell.arm.pose import Vector3, Vector6
 from hil.cell.rig.robot import Safety
+
+_GROWN: Final = 1.1
+"""How much a force grows before a stop follows a stop; assumed."""
 
 
 class Motion(NamedTuple):
@@ -46,6 +49,29 @@ def out_of_range(q: Sequence[float], limits: Safety) -> str | None:
     if farthest > limits.joint_range:
         return _exceeded("joint position", farthest, limits.joint_range, "rad")
     return None
+
+
+class ForceGuard:
+    """Trips where the tool presses too hard; then again only if it presses harder still.
+
+    An arm that was stopped in contact stays there, and must be allowed to drive away.
+    """
+
+    __slots__ = ("_allowed", "_limit")
+
+    def __init__(self, limit: float) -> None:
+        """limit: N."""
+        self._allowed = self._limit = limit
+
+    def judge(self, wrench: Vector6) -> str | None:
+        """Why this wrench on the TCP, N and N·m, makes a protective stop."""
+        force = hypot(*wrench[:3])
+        if force <= self._limit:
+            self._allowed = self._limit
+        if force <= self._allowed:
+            return None
+        self._allowed = _GROWN * force
+        return _exceeded("TCP force", force, self._limit, "N")
 
 
 def _comes_back(motion: Motion, limits: Safety) -> bool:

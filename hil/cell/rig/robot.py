@@ -10,6 +10,7 @@ from hil.cell.rig.quantity import (
     Hertz,
     Length,
     MetresPerSecond,
+    Newtons,
     Radians,
     RadiansPerSecond,
     Seconds,
@@ -51,6 +52,8 @@ class Safety(Section):
 
     joint_speed: RadiansPerSecond = Field(default=3.1415926535897931, gt=0)
     tcp_speed: MetresPerSecond = Field(default=1.0, gt=0)
+    tcp_force: Newtons = Field(default=250.0, gt=0)
+    """What the tool may press or be pressed with: the least restricted setting of a box."""
     joint_range: Angle = 6.2831853071795862
     servo_step: Angle = 0.05
     """Largest joint set-point jump of one control period."""

@@ -66,9 +66,10 @@ class Configuration:
     def rtde_set_watchdog(
         self, variable_name: Value, min_frequency: Value, action: Value = "pause"
     ) -> None:
-        if text(action) not in _ACTIONS:
+        wanted = text(action).lower()  # UR's own example says "PAUSE"
+        if wanted not in _ACTIONS:
             raise ScriptError(f"watchdog action {action!r} is none of {', '.join(_ACTIONS)}")
-        self._port.watch(text(variable_name), number(min_frequency), text(action))
+        self._port.watch(text(variable_name), number(min_frequency), wanted)
 
     def protective_stop(self) -> None:
         self._port.protective_stop("protective_stop() in the program")
