@@ -1,0 +1,85 @@
+"""Looks for the case of least robustness: Optuna's TPE, or uniform draws to compare it with."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import optuna
+from optuna.samplers import BaseSampler, RandomSampler, TPESampler
+from optuna.trial import Trial
+
+from hil.falsify.space import Axis, Case, Choice, Part, Space, Value
+
+Robustness = Callable[[Case], float]
+"""Of one run; below 0 is a violation."""
+Told = Callable[[int, Case, float], None]
+
+STARTUP: Final = 8
+"""Uniform draws before the estimator has something to go by."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The worst case of a search. runs: until it was found, or all of them."""
+
+    case: Case
+    robustness: float
+    runs: int
+
+    @property
+    def violated(self) -> bool:
+        return self.robustness < 0.0
+
+
+def search(
+    space: Space,
+    robustness: Robustness,
+    *,
+    budget: int,
+    seed: int,
+    parts: int = 1,
+    sampler: Literal["tpe", "random"] = "tpe",
+    tell: Told = lambda *_: None,
+) -> Found:
+    """Run up to `budget` cases of that many parts each, and stop at the first violation."""
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    study = optuna.create_study(sampler=_sampler(sampler, seed))
+    worst: Found | None = None
+    for run in range(1, budget + 1):
+        trial = study.ask()
+        case = tuple(_part(trial, space, index) for index in range(parts))
+        value = robustness(case)
+        study.tell(trial, value)
+        tell(run, case, value)
+        if worst is None or value < worst.robustness:
+            worst = Found(case, value, run)
+        if worst.violated:
+            return worst
+    if worst is None:
+        raise ValueError("a search needs a budget of one run at least")
+    return Found(worst.case, worst.robustness, budget)
+
+
+def _sampler(name: str, seed: int) -> BaseSampler:
+    if name == "random":
+        return RandomSampler(seed=seed)
+    return TPESampler(seed=seed, n_startup_trials=STARTUP, multivariate=True)
+
+
+def _part(trial: Trial, space: Space, index: int) -> Part:
+    kinds = list(space)
+    kind = kinds[0]
+    if len(kinds) > 1:
+        kind = trial.suggest_categorical(f"{index}.kind", kinds)
+    values = {
+        name: _value(trial, f"{index}.{kind}.{name}", axis) for name, axis in space[kind].items()
+    }
+    return Part(kind, values)
+
+
+def _value(trial: Trial, name: str, axis: Axis | Choice) -> Value:
+    if isinstance(axis, Choice):
+        return trial.suggest_categorical(name, axis.words)
+    if axis.whole:
+        return trial.suggest_int(name, round(axis.low), round(axis.high))
+    return trial.suggest_float(name, axis.low, axis.high, log=axis.log)
