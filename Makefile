@@ -19,7 +19,9 @@ $(STAMP): requirements.lock pyproject.toml
 demo: setup
 	$(BIN)/hil demo --out out/demo --overwrite
 
+# As root with apt-get, first installs what kernel CAN needs (see the script); else those tests skip.
 test: setup
+	scripts/install-can-tools
 	$(BIN)/python -m pytest -n 2 --dist worksteal
 
 # What needs a kernel CAN bus; in User-Mode Linux where this kernel has none (`make test` does it too).

@@ -163,6 +163,43 @@ def test_silence_of_a_watched_input_stops_the_arm(running):
     assert "C207A0" in running.log
 
 
+def test_outputs_follow_whether_a_program_runs(running):
+    running.arm.upload(
+        "def lamps():\n  set_runstate_standard_digital_output_to_value(4, 3)\n"
+        "  set_runstate_standard_digital_output_to_value(5, 2)\n  sleep(0.1)\nend\n"
+    )
+
+    def lamps():
+        return running.box.signals.outputs >> 4 & 3
+
+    running.seconds(0.3)
+    assert lamps() == 0b10  # stopped: 4 low, 5 high
+    running.arm.upload("def next():\n  sleep(0.1)\nend\n")
+    running.run(2)
+    assert lamps() == 0b11
+    running.seconds(0.3)
+    assert lamps() == 0b10
+
+
+def test_programs_draw_random_numbers_from_the_rigs_seed(make_cell):
+    def drawn(seed):
+        cell = make_cell(seed)
+        return cell.arm.port.random(), cell.arm.port.random()
+
+    assert drawn(4) == drawn(4) != drawn(5)
+
+
+def test_flags_outlive_the_program_and_domains_show(running):
+    running.arm.upload("def one():\n  set_flag(7, True)\n  set_analog_outputdomain(1, 0)\nend\n")
+    running.run(3)
+    running.arm.upload(
+        'def two():\n  if get_flag(7) and not get_flag(8):\n    textmsg("kept")\n  end\nend\n'
+    )
+    running.run(3)
+    assert "kept" in running.log
+    assert running.box.signals.analog_types == 0b0111
+
+
 def test_the_jaws_close_by_their_output_and_tell_a_part(running):
     running.box.signals.set_output(0, on=True)
     closed = [running.run().jaws_closed for _ in range(15)]

@@ -81,7 +81,12 @@ class FakePort:
         self.slider = 1.0
         self.gravity = (0.0, 0.0, 9.82)
         self.voltage = 0
-        self.analog = [0.0, 0.0]
+        self.analog = [0.0] * 4
+        self.domains: dict[int, bool] = {}
+        self.runstates: dict[int, int] = {}
+        self.flags: dict[int, bool] = {}
+        self.tool_modes: dict[int | None, int] = {}
+        self.off = False
         self._tail: list[Vector6] = []
         self._next: Vector6 | None = None
 
@@ -135,6 +140,27 @@ class FakePort:
 
     def set_analog_output(self, index: int, ratio: float) -> None:
         self.analog[index] = ratio * 10.0
+
+    def set_analog_domain(self, index: int, *, voltage: bool) -> None:
+        self.domains[index] = voltage
+
+    def set_runstate(self, bit: int, choice: int) -> None:
+        self.runstates[bit] = choice
+
+    def flag(self, index: int) -> bool:
+        return self.flags.get(index, False)
+
+    def set_flag(self, index: int, on: bool) -> None:
+        self.flags[index] = on
+
+    def set_tool_mode(self, output: int | None, mode: int) -> None:
+        self.tool_modes[output] = mode
+
+    def random(self) -> float:
+        return 0.25
+
+    def power_down(self) -> None:
+        self.off = True
 
     def set_tool_voltage(self, volts: int) -> None:
         self.voltage = volts

@@ -37,14 +37,15 @@ class ArmController:
 
     def __init__(self, robot: Robot, rng: np.random.Generator) -> None:
         self.box = ControlBox(robot)
-        self.port = ScriptPort(self.box)
+        # Child streams: the repeatability's draws stay what they are without them.
+        noise, programs = rng.spawn(2)
+        self.port = ScriptPort(self.box, programs)
         self.programs = Programs(self.box, self.port)
         self._dt = robot.period / NS
         self._force = ForceGuard(robot.safety.tcp_force)
         self._repeatability = Repeatability(robot.repeatability, rng)
         deviation = CURRENTS if robot.series == "cb3" else BUILT_IN
-        # A child stream: the repeatability's draws stay what they are without force noise.
-        self.box.estimate.disturb(deviation, rng.spawn(1)[0])
+        self.box.estimate.disturb(deviation, noise)
 
     @property
     def flange(self) -> Pose:

@@ -105,6 +105,7 @@ class Programs:
             )
             return
         self._primary = Runtime(program, self._port)
+        self._box.signals.follow(running=True)
         self._box.say(f"program {program.name} started")
         self._box.announce(Key("PROGRAM_XXX_STARTED", program.name))
 
@@ -117,6 +118,7 @@ class Programs:
             self._box.watchdog.clear()
             self._box.force_mode.reset()
             self._box.sockets.close_all()
+            self._box.signals.follow(running=False)
             self._box.say("program stopped")
 
     def _runs_on(self, runtime: Runtime) -> bool:

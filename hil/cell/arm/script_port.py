@@ -2,9 +2,12 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from drivers.protocol.primary_messages import Popup, Text
 from hil.cell.arm.box import ControlBox
 from hil.cell.arm.force.access import ForceAccess
+from hil.cell.arm.modes import Event
 from hil.cell.arm.pose import Vector3, Vector6, compose, inverse, of, vector6, vector_of
 from hil.cell.arm.safety import out_of_range
 
@@ -12,10 +15,12 @@ from hil.cell.arm.safety import out_of_range
 class ScriptPort:
     """Implements `hil.cell.arm.port.RobotPort`; ValueError for an index or value out of range."""
 
-    __slots__ = ("_box", "force", "sockets")
+    __slots__ = ("_box", "_rng", "force", "sockets")
 
-    def __init__(self, box: ControlBox) -> None:
+    def __init__(self, box: ControlBox, rng: np.random.Generator) -> None:
+        """rng: what `random` draws from."""
         self._box = box
+        self._rng = rng
         self.force = ForceAccess(box)
         self.sockets = box.sockets
 
@@ -63,7 +68,7 @@ class ScriptPort:
         return bool(self._box.signals.outputs >> _index(bit, 18) & 1)
 
     def analog_input(self, index: int) -> float:
-        return self._box.signals.analog_inputs[_index(index, 2)]
+        return self._box.signals.analog_inputs[_index(index, 4)]
 
     def analog_output(self, index: int) -> float:
         return self._box.signals.analog_outputs[_index(index, 2)]
@@ -72,6 +77,32 @@ class ScriptPort:
         signals = self._box.signals
         voltage = bool(signals.analog_types >> (2 + _index(index, 2)) & 1)
         signals.set_analog(index, ratio, voltage=voltage)
+
+    def set_analog_domain(self, index: int, *, voltage: bool) -> None:
+        self._box.signals.set_domain(_index(index, 6), voltage=voltage)
+
+    def set_runstate(self, bit: int, choice: int) -> None:
+        self._box.signals.runstates[_index(bit, 18)] = choice
+
+    def flag(self, index: int) -> bool:
+        return bool(self._box.signals.flags >> _index(index, 32) & 1)
+
+    def set_flag(self, index: int, on: bool) -> None:
+        bit, flags = 1 << _index(index, 32), self._box.signals.flags
+        self._box.signals.flags = flags | bit if on else flags & ~bit
+
+    def set_tool_mode(self, output: int | None, mode: int) -> None:
+        signals = self._box.signals
+        if output is None:
+            signals.tool_mode = mode
+        else:
+            signals.tool_output_modes[_index(output, 2)] = mode
+
+    def random(self) -> float:
+        return float(self._rng.random())
+
+    def power_down(self) -> None:
+        self._box.post(Event.POWER_OFF)
 
     def set_tool_voltage(self, volts: int) -> None:
         self._box.signals.tool_voltage = volts

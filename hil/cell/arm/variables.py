@@ -49,6 +49,8 @@ MODELLED: Final[Mapping[str, str]] = MappingProxyType(
         "target_speed_fraction": "signals.speed_fraction",
         "tool_output_voltage": "signals.tool_voltage",
         "analog_io_types": "signals.analog_types",
+        "tool_analog_input_types": "signals.tool_analog_types",
+        "tool_output_mode": "signals.tool_mode",
     }
 )
 """Attribute of the control box by variable."""
@@ -84,14 +86,8 @@ NOT_MODELLED: Final[Mapping[str, object]] = MappingProxyType(
         "time_scale_source": 0,
         "script_control_line": 0,
         "io_current": 0.0,
-        "tool_analog_input_types": 0b11,
-        "tool_analog_input0": 0.0,
-        "tool_analog_input1": 0.0,
         "tool_mode": 253,
         "tool_output_current": 0.0,
-        "tool_output_mode": 0,
-        "tool_digital_output0_mode": 0,
-        "tool_digital_output1_mode": 0,
         "euromap67_input_bits": 0,
         "euromap67_output_bits": 0,
         "euromap67_24V_voltage": 0.0,
@@ -130,6 +126,8 @@ def _bank_readers(side: str, bank: Bank) -> dict[str, Reader]:
 def _analog_readers(box: ControlBox) -> dict[str, Reader]:
     table: dict[str, Reader] = {}
     for n in (0, 1):
+        table[f"tool_analog_input{n}"] = partial(getitem, box.signals.analog_inputs, 2 + n)
+        table[f"tool_digital_output{n}_mode"] = partial(getitem, box.signals.tool_output_modes, n)
         table[f"standard_analog_input{n}"] = partial(getitem, box.signals.analog_inputs, n)
         table[f"standard_analog_output{n}"] = partial(getitem, box.signals.analog_outputs, n)
     return table

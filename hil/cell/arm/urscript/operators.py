@@ -4,13 +4,15 @@ Integers have 32 bits, like the controller's registers, and overflow is an error
 and `%` takes the sign of the divisor; the manual does not say, so these are assumptions.
 """
 
-from collections.abc import Iterator
-from typing import TypeAlias
+from collections.abc import Callable, Iterator
+from functools import reduce
+from typing import TypeAlias, TypeGuard
 
 from hil.cell.arm.urscript.errors import ScriptError
 from hil.cell.arm.urscript.values import INT_MAX, INT_MIN, List, Pose, Value, expected, kind
 
 Number: TypeAlias = int | float
+Operator: TypeAlias = Callable[[Value, Value], Value]
 
 
 def int32(result: Number) -> Number:
@@ -32,35 +34,46 @@ def _pairs(a: List, b: List) -> Iterator[tuple[Value, Value]]:
     return zip(a, b, strict=True)
 
 
+def _each(operate: Operator, a: Value, b: Value) -> List:
+    """Element by element: two lists of one length, or a list and a number (Script Manual)."""
+    if isinstance(a, List) and isinstance(b, List):
+        return List([operate(x, y) for x, y in _pairs(a, b)])
+    if isinstance(a, List):
+        return List([operate(x, b) for x in a])
+    assert isinstance(b, List)
+    return List([operate(a, y) for y in b])
+
+
 def add(a: Value, b: Value) -> Value:
     if type(a) is float and type(b) is float:
         return a + b
-    if isinstance(a, List) and isinstance(b, List):
-        return List([add(x, y) for x, y in _pairs(a, b)])
+    if isinstance(a, List) or isinstance(b, List):
+        return _each(add, a, b)
     return int32(_operand(a, "+") + _operand(b, "+"))
 
 
 def subtract(a: Value, b: Value) -> Value:
     if type(a) is float and type(b) is float:
         return a - b
-    if isinstance(a, List) and isinstance(b, List):
-        return List([subtract(x, y) for x, y in _pairs(a, b)])
+    if isinstance(a, List) or isinstance(b, List):
+        return _each(subtract, a, b)
     return int32(_operand(a, "-") - _operand(b, "-"))
 
 
 def multiply(a: Value, b: Value) -> Value:
+    """A matrix times a matrix or an array is their product; the rest goes element by element."""
     if type(a) is float and type(b) is float:
         return a * b
-    if isinstance(a, List):
-        return List([multiply(x, b) for x in a])
-    if isinstance(b, List):
-        return List([multiply(a, x) for x in b])
+    if _is_matrix(a) and isinstance(b, List):
+        return _product(a, b)
+    if isinstance(a, List) or isinstance(b, List):
+        return _each(multiply, a, b)
     return int32(_operand(a, "*") * _operand(b, "*"))
 
 
 def divide(a: Value, b: Value) -> Value:
-    if isinstance(a, List):
-        return List([divide(x, b) for x in a])
+    if isinstance(a, List) or isinstance(b, List):
+        return _each(divide, a, b)
     dividend, divisor = _operand(a, "/"), _operand(b, "/")
     if divisor == 0:
         raise ScriptError("division by zero")
@@ -68,10 +81,37 @@ def divide(a: Value, b: Value) -> Value:
 
 
 def remainder(a: Value, b: Value) -> Value:
+    if isinstance(a, List) or isinstance(b, List):
+        return _each(remainder, a, b)
     dividend, divisor = _operand(a, "%"), _operand(b, "%")
     if divisor == 0:
         raise ScriptError("division by zero")
     return dividend % divisor
+
+
+def _is_matrix(value: Value) -> TypeGuard[List]:
+    return isinstance(value, List) and bool(value) and isinstance(value[0], List)
+
+
+def _product(matrix: List, other: List) -> List:
+    """Of a matrix and a matrix, or an array as a column."""
+    if _is_matrix(other) and len({len(_row(row)) for row in other}) > 1:
+        raise ScriptError("a matrix needs rows of one length")
+    columns = list(zip(*map(_row, other), strict=True)) if _is_matrix(other) else [tuple(other)]
+    sums = [[_dot(_row(row), column) for column in columns] for row in matrix]
+    return List([List(row) for row in sums] if _is_matrix(other) else [row[0] for row in sums])
+
+
+def _row(value: Value) -> List:
+    if isinstance(value, List):
+        return value
+    raise ScriptError("a matrix needs rows of one length")
+
+
+def _dot(row: List, column: tuple[Value, ...]) -> Value:
+    if len(row) != len(column) or not row:
+        raise ScriptError(f"{len(row)} columns do not match {len(column)} rows")
+    return reduce(add, (multiply(x, y) for x, y in zip(row, column, strict=True)))
 
 
 def negate(a: Value) -> Value:

@@ -16,11 +16,13 @@ from hil.cell.arm.urscript.builtins.dynamics import Dynamics
 from hil.cell.arm.urscript.builtins.forces import Forces
 from hil.cell.arm.urscript.builtins.kinematics import Kinematics
 from hil.cell.arm.urscript.builtins.maths import Maths
+from hil.cell.arm.urscript.builtins.matrices import Matrices
 from hil.cell.arm.urscript.builtins.motion import Motion
 from hil.cell.arm.urscript.builtins.poses import Poses
 from hil.cell.arm.urscript.builtins.queries import Queries
 from hil.cell.arm.urscript.builtins.registers import Registers
 from hil.cell.arm.urscript.builtins.servoing import Servoing
+from hil.cell.arm.urscript.builtins.setup import Setup
 from hil.cell.arm.urscript.builtins.sockets import SocketCalls
 from hil.cell.arm.urscript.builtins.speed import Speed
 from hil.cell.arm.urscript.builtins.strings import Strings
@@ -29,8 +31,8 @@ from hil.cell.arm.urscript.builtins.versions import NEWEST, Version, known
 from hil.cell.arm.urscript.symbols import Builtin, builtin
 
 _TOPICS: Final = (
-    Configuration, Dynamics, Forces, Kinematics, Maths, Motion, Poses, Queries, Registers, Servoing,
-    SocketCalls, Speed, Strings, Timing,
+    Configuration, Dynamics, Forces, Kinematics, Maths, Matrices, Motion, Poses, Queries, Registers,
+    Servoing, Setup, SocketCalls, Speed, Strings, Timing,
 )  # fmt: skip
 
 
@@ -59,8 +61,8 @@ def bind(port: RobotPort, claim: Callable[[], None]) -> dict[str, object]:
     """Every builtin by its compiled name, acting on `port`; `claim` takes the robot for a cycle."""
     drive = Drive(port, claim)
     topics: tuple[object, ...] = (
-        Configuration(port), Dynamics(), Forces(port), Kinematics(port), Maths(), Motion(drive),
-        Poses(), Queries(port), Registers(port), Servoing(drive), SocketCalls(port),
-        Speed(drive), Strings(), Timing(port),
+        Configuration(port), Dynamics(), Forces(port), Kinematics(port), Maths(), Matrices(),
+        Motion(drive), Poses(), Queries(port), Registers(port), Servoing(drive), Setup(port),
+        SocketCalls(port), Speed(drive), Strings(), Timing(port),
     )  # fmt: skip
     return {builtin(name): getattr(topic, name) for topic in topics for name in _names(type(topic))}

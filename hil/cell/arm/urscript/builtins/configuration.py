@@ -31,6 +31,14 @@ class Configuration:
         """kg, and m in the flange's frame."""
         self._port.set_payload(number(m), vector3(cog))
 
+    def set_payload_mass(self, m: Value) -> None:
+        """kg; the centre of gravity stays."""
+        self._port.set_payload(number(m), self._port.payload()[1])
+
+    def set_payload_cog(self, CoG: Value) -> None:
+        """M in the flange's frame; the mass stays."""
+        self._port.set_payload(self._port.payload()[0], vector3(CoG))
+
     def set_target_payload(
         self,
         m: Value,

@@ -94,6 +94,10 @@ class Forces:
             raise ScriptError(f'feature must be "base", "tool" or a pose, found {feature!r}')
         self._force.release(frame, _selection(freeAxes))
 
+    def freedrive_mode_no_incorrect_payload_check(self) -> None:
+        """Payload is never checked here."""
+        self.freedrive_mode()
+
     def end_freedrive_mode(self) -> None:
         self._force.end()
 

@@ -44,6 +44,10 @@ class Queries:
     def get_target_tcp_speed(self) -> List:
         return List(self._port.target_tcp_speed())
 
+    # Conveyor tracking and path offsets would tell them apart; there are none here.
+    get_target_tcp_pose_along_path = get_target_tcp_pose
+    get_target_tcp_speed_along_path = get_target_tcp_speed
+
     def get_target_joint_accelerations(self) -> List:
         return List(self._port.target_qdd())
 

@@ -9,7 +9,8 @@ from hil.cell.arm.urscript.values import Value, boolean, integer, number
 NUMBERS: Final = 48
 BITS: Final = 128
 ANALOG: Final = 2
-"""How many general purpose registers of a kind there are (RTDE Guide)."""
+FLAGS: Final = 32
+"""How many general purpose registers (RTDE Guide), analog I/O and flags of a kind there are."""
 
 _STANDARD, _CONFIGURABLE, _TOOL = (0, 8), (8, 8), (16, 2)
 """First bit and number of bits of each group of digital I/O."""
@@ -84,6 +85,24 @@ class Registers:
     def set_standard_analog_out(self, n: Value, f: Value) -> None:
         """Share of the output's range, 0..1."""
         self._port.set_analog_output(_address(n, ANALOG), number(f))
+
+    def get_tool_analog_in(self, n: Value) -> float:
+        """V or A; nothing is connected to the tool."""
+        return self._port.analog_input(ANALOG + _address(n, ANALOG))
+
+    def get_analog_in(self, n: Value) -> float:
+        """Deprecated: 0-1 standard, 2-3 tool; V or A."""
+        return self._port.analog_input(_address(n, 2 * ANALOG))
+
+    get_analog_out = get_standard_analog_out  # the old names
+    set_analog_out = set_standard_analog_out
+
+    def get_flag(self, n: Value) -> bool:
+        """Flags outlive the program."""
+        return self._port.flag(_address(n, FLAGS))
+
+    def set_flag(self, n: Value, b: Value) -> None:
+        self._port.set_flag(_address(n, FLAGS), boolean(b))
 
     def get_digital_in(self, n: Value) -> bool:
         """Deprecated: 0-7 standard, 8-9 tool."""

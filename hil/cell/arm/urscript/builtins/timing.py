@@ -23,6 +23,10 @@ class Timing:
         """Control period, s."""
         return self._port.period * 1e-9
 
+    def random(self) -> float:
+        """0..1, from the rig's seed."""
+        return self._port.random()
+
     def sync(self) -> Blocking:
         yield
 
