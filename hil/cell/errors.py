@@ -9,6 +9,10 @@ class RigError(CellError):
     """The rig file asks for something that does not exist or cannot be."""
 
 
+class FaultError(RigError):
+    """A fault, trigger or parameter that does not exist, or that this rig has no place for."""
+
+
 class DoorError(CellError):
     """A port or bus could not be opened."""
 
