@@ -12,6 +12,10 @@ the loop gain is |1 - kappa|, at most 1 for every k >= k_e/2: believing a contac
 always safe, which is why every touch begins at the stiffest. While that is stable, the steady
 error on a surface of constant speed is zero whatever k and theta are; on a curved one it grows with
 k_e, acceleration and theta squared: the price of delay.
+
+An arm that gives way to a push stands in series with the contact: commands meet 1/k = 1/k_e + c,
+while the secants of force over measured position show k_e alone. c is the arm's compliance; leaving
+it out believes the contact too stiff.
 """
 
 from dataclasses import dataclass, field
@@ -37,7 +41,7 @@ class SoftSettings:
     margin. delay, shortest, longest: theta until an approach measured it, and its range. smoothing:
     time constant of the command. surface_speed: bound of the estimate. rest: at the start, to learn
     the robot's standing offset (tare the force then too). gate: m, measured positions further from
-    the command are ignored.
+    the command are ignored. compliance: of the arm under a push, m/N; 0 for a stiff one.
     """
 
     stiffness: StiffnessSettings = field(default_factory=StiffnessSettings)
@@ -49,11 +53,14 @@ class SoftSettings:
     surface_speed: float = 0.02
     rest: float = 0.2
     gate: float = 0.01
+    compliance: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("bandwidth", "smoothing", "surface_speed", "gate"):
             if not getattr(self, name) > 0.0:
                 raise ValueError(f"{name} must be positive, found {getattr(self, name)}")
+        if not self.compliance >= 0.0:
+            raise ValueError(f"compliance must not be negative, found {self.compliance} m/N")
         if not 0.0 < self.shortest <= self.delay <= self.longest <= MEMORY:
             raise ValueError(
                 f"0 < shortest <= delay <= longest <= {MEMORY} s does not hold:"
@@ -119,7 +126,7 @@ class Soft:
         stiffness, surface = self.stiffness, self.surface
         believed = stiffness.value
         stiffness.observe(push, place, wanted)
-        seen = sent + push / stiffness.value
+        seen = sent + push * self._yield()
         if not self._touched or stiffness.value > STIFFENED * believed:
             surface.start(seen)
         elif stiffness.value != believed:
@@ -128,11 +135,15 @@ class Soft:
         surface.observe(seen, self._settings.bandwidth / self.delay.value)
         self._touched = True
 
+    def _yield(self) -> float:
+        """What a newton moves contact and arm, m/N."""
+        return 1.0 / self.stiffness.value + self._settings.compliance
+
     def _towards(self, command: float, reference: Reference) -> float:
         """Speed to where the reference force will be, m/s."""
-        period, surface, k = self._period, self.surface, self.stiffness.value
+        period, surface, give = self._period, self.surface, self._yield()
         # One period more than the delay: the command takes effect at the end of the next.
         # Leaving it out doubled the error on a moving surface.
-        target = surface.ahead(self.delay.value + period) - reference.force / k
-        along = surface.speed - reference.rate / k
+        target = surface.ahead(self.delay.value + period) - reference.force * give
+        along = surface.speed - reference.rate * give
         return along + (target - command - along * period) / max(period, self._settings.smoothing)

@@ -1,5 +1,7 @@
 """The experiment over the wire, once; and the loop without a wire against it."""
 
+from dataclasses import replace
+
 import pytest
 
 from hil.experiments.force_tracking.direct import direct
@@ -32,6 +34,13 @@ def test_one_seed_is_one_row_over_the_wire_and_records_alike(rig, tmp_path):
     recorded = {**variant, "recording": str(tmp_path / "run")}
     assert run(rig, 5, variant) == run(rig, 5, recorded)
     assert any((tmp_path / "run").iterdir())
+
+
+def test_soft_overshoots_less_once_it_is_told_how_far_the_arm_gives_way(rig):
+    told = Grid().variant("soft", 30.0, 10.0)
+    untold = replace(told, parameters={**told.parameters, "compliance": 0.0})
+    assert direct(rig, 1, told).overshoot < 0.03
+    assert direct(rig, 1, untold).overshoot > 0.05
 
 
 def test_an_unstable_law_is_told_from_a_stable_one(rig):

@@ -40,7 +40,8 @@ class DelayedSensor:
         self._rng, self._noise = rng, rig.sensor.errors.noise_force
         self._resolution, self._weight = rig.sensor.resolution_force, rig.tool.mass * G
         delay = round(rig.latency.can.from_cell.mean * 1e3)
-        self.age = delay * MILLISECOND
+        # Time stamps do not show a constant delay, only how much later than others a sample came.
+        self.age = MILLISECOND
         self._on_the_way: deque[float] = deque(repeat(0.0, delay))
 
     def read(self, step: PlantStep) -> WrenchReading:
