@@ -24,8 +24,24 @@ Stiffnesses = Annotated[str, typer.Option("--stiffness", help="k_e, N/mm; with c
 Latencies = Annotated[str, typer.Option("--latency", help="Of both wires together, ms.")]
 Rates = Annotated[str, typer.Option("--rate", help="Control rates, Hz: 125, 500 or both.")]
 Force = Annotated[float, typer.Option(help="f_d, N.")]
-Approach = Annotated[float, typer.Option(help="Speed down to the surface, mm/s.")]
-Push = Annotated[float, typer.Option(help="Fastest inward speed in contact, mm/s.")]
+Approach = Annotated[
+    float | None,
+    typer.Option(
+        help="Speed down to the surface, mm/s; 0.5 a newton of f_d unless given, 4 at most."
+    ),
+]
+Push = Annotated[
+    float | None,
+    typer.Option(
+        help="Fastest inward speed in contact, mm/s; 16 unless given, --approach with --bottoming."
+    ),
+]
+Slide = Annotated[
+    float | None,
+    typer.Option(
+        help="Speed along the surface, mm/s, 0 to hold still; 20 unless given, 0 with --bottoming."
+    ),
+]
 Bottoming = Annotated[
     str,
     typer.Option(help="Push (N) and stiffness (N/mm) at which the surface turns stiff: 3,50."),
@@ -41,8 +57,9 @@ def force_tracking(
     latency: Latencies = "6,10",
     rate: Rates = "125",
     force: Force = 10.0,
-    approach: Approach = 4.0,
-    push: Push = 16.0,
+    approach: Approach = None,
+    push: Push = None,
+    slide: Slide = None,
     bottoming: Bottoming = "0,50",
     preset: Preset = "tuned",
     seeds: campaign.Seeds = 20,
@@ -64,7 +81,7 @@ def force_tracking(
     from hil.experiments.force_tracking.table import as_text  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
-    grid = _grid(law, stiffness, latency, preset, (force, approach, push), bottoming)
+    grid = _grid(law, stiffness, latency, preset, (force, approach, push, slide), bottoming)
     texts = {number: text for number, (_, text) in _rigs(rate).items()}
     numbers = range(seed, seed + seeds)
 
@@ -105,7 +122,7 @@ def stability_map(
 
     grid = _grid(
         law, ",".join(map(str, experiment.STIFFNESSES)), ",".join(map(str, experiment.LATENCIES)),
-        preset, (force, 4.0, 16.0), "0,50",
+        preset, (force, None, None, None), "0,50",
     )  # fmt: skip
     rigs = {number: rig for number, (rig, _) in _rigs(rate).items()}
     _writable(figure)
@@ -125,21 +142,23 @@ def _grid(
     stiffness: str,
     latency: str,
     preset: str,
-    motion: tuple[float, float, float],
+    motion: tuple[float, float | None, float | None, float | None],
     bottoming: str,
 ) -> "Grid":
-    from hil.experiments.force_tracking.grid import Grid  # noqa: PLC0415
+    from hil.experiments.force_tracking.grid import Grid, speeds  # noqa: PLC0415
 
     laws = tuple(name for entry in law or [LAWS] for name in entry.split(",") if name)
     limit = _numbers("--bottoming", bottoming)
     if len(limit) != 2:
         raise typer.BadParameter(f"--bottoming takes a force and a stiffness, found '{bottoming}'")
+    force, *chosen = motion
     try:
         return Grid(
             laws,
             _numbers("--stiffness", stiffness),
             _numbers("--latency", latency),
-            *motion,
+            force,
+            *speeds(force, limit[0] > 0.0, *chosen),
             bottoming=(limit[0], limit[1]),
             preset=preset,
         )

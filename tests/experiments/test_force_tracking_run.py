@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from hil.experiments.force_tracking.direct import direct
-from hil.experiments.force_tracking.grid import Grid
+from hil.experiments.force_tracking.grid import Grid, speeds
 from hil.experiments.force_tracking.presets import parameters, preset
 from hil.experiments.force_tracking.run import run
 from hil.experiments.force_tracking.variant import Variant, rig_of
@@ -61,6 +61,29 @@ def test_latency_is_shared_by_both_wires(rig):
     assert (none.can.from_cell.jitter, none.rtde.to_cell.jitter) == (0.0, 0.0)
 
 
+@pytest.mark.parametrize(
+    ("force", "bottoms", "chosen", "expected"),
+    [
+        (10.0, False, (None, None, None), (4.0, 16.0, 20.0)),
+        (5.0, False, (None, None, None), (2.5, 16.0, 20.0)),
+        (5.0, True, (None, None, None), (2.5, 2.5, 0.0)),
+        (5.0, True, (3.0, 9.0, 20.0), (3.0, 9.0, 20.0)),
+    ],
+)
+def test_speeds_suit_the_force_and_a_surface_that_bottoms_out(force, bottoms, chosen, expected):
+    assert speeds(force, bottoms, *chosen) == expected
+
+
+def test_a_cable_that_bottoms_out_is_pressed_below_8_newton(rig):
+    variant = Grid(
+        laws=("soft",), force=5.0, approach=2.5, push=2.5, slide=0.0, bottoming=(3.0, 50.0)
+    ).variant("soft", 2.0, 10.0)
+    found = direct(rig, 1, variant)
+    assert found.peak < 8.0
+    assert found.rms_tracking is None
+    assert not found.unstable
+
+
 @pytest.mark.parametrize("name", ["tuned", "printed"])
 def test_every_shipped_preset_fits_its_laws(name):
     for law in preset(name):
@@ -78,6 +101,7 @@ def test_every_shipped_preset_fits_its_laws(name):
         ({"stiffnesses": (float("nan"),)}, "positive"),
         ({"latencies": (90.0,)}, "50 ms"),
         ({"force": 0.0}, "positive"),
+        ({"slide": -1.0}, "0 mm/s or more"),
         ({"force": 0.1}, "0.4"),
         ({"preset": "tunned"}, "did you mean 'tuned'"),
     ],

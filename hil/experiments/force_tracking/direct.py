@@ -14,7 +14,6 @@ from controller.course import Course, Phase
 from controller.cycle import Cycle
 from controller.outcome import Ending, Kind
 from controller.place import Place
-from controller.reference import Step
 from controller.track import Tracking, tracking
 from drivers.interfaces import ArmState, Freshness, RobotMode, SafetyMode, Vector6, WrenchReading
 from hil.cell.plant.interface import PlantStep, StageTarget
@@ -23,7 +22,7 @@ from hil.cell.rig import Rig, drawn
 from hil.cell.streams import stream
 from hil.experiments.force_tracking.figures import Figures, figures
 from hil.experiments.force_tracking.trace import G, trace_of
-from hil.experiments.force_tracking.variant import Variant, axis_of, rig_of
+from hil.experiments.force_tracking.variant import Variant, axis_of, job_of, rig_of
 
 MILLISECOND = 1_000_000
 STILL: Vector6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -61,7 +60,7 @@ def direct(rig: Rig, seed: int, variant: Variant, job: Tracking | None = None) -
     bench = _Bench(rig, stream(seed, "sensor"))
     course = Course(bench.cycle(), rig.robot.period * 1e-9)
     axis = axis_of(variant, rig.robot.period)
-    phase = tracking(course, axis, job or Tracking(force=Step(variant.force)))
+    phase = tracking(course, axis, job or job_of(variant))
     completed = _drive(phase, course, bench, rig.limits.force_bound[2])
     trace = trace_of(bench.history, rig.tool.mass, bench.lower, bench.slide)
     return figures(trace, variant.force, completed)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import isfinite
+from typing import NamedTuple
 
 from controller.laws.build import law_class
 from hil.experiments.force_tracking.presets import TUNED, parameters
@@ -13,7 +14,7 @@ RIGS = {125: "surface_ur5", 500: "surface_ur5e"}
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """stiffnesses: k_e, N/mm. latencies: ms. force: f_d, N. approach, push: mm/s.
+    """stiffnesses: k_e, N/mm. latencies: ms. force: f_d, N. approach, push, slide: mm/s.
 
     bottoming: push (N) and stiffness (N/mm) of a surface that turns stiff, (0, ...) for none.
     """
@@ -24,6 +25,7 @@ class Grid:
     force: float = 10.0
     approach: float = 4.0
     push: float = 16.0
+    slide: float = 20.0
     bottoming: tuple[float, float] = (0.0, 50.0)
     preset: str = TUNED
 
@@ -44,6 +46,8 @@ class Grid:
         for name, value in (("force in N", self.force), ("approach in mm/s", self.approach)):
             _positive(name, value)
         _positive("push in mm/s", self.push)
+        if not (isfinite(self.slide) and self.slide >= 0.0):
+            raise ValueError(f"slide is 0 mm/s or more, found {self.slide}")
         for variant in self.variants():
             axis_of(variant, 8_000_000)
 
@@ -66,9 +70,35 @@ class Grid:
             force=self.force,
             approach=self.approach * 1e-3,
             push=self.push * 1e-3,
+            slide=self.slide * 1e-3,
             bottoming_force=self.bottoming[0],
             bottoming_stiffness=self.bottoming[1] * 1e3,
         )
+
+
+class Speeds(NamedTuple):
+    """mm/s, in the order in which `Grid` takes them."""
+
+    approach: float
+    push: float
+    slide: float
+
+
+def speeds(
+    force: float, bottoms: bool, approach: float | None, push: float | None, slide: float | None
+) -> Speeds:
+    """What was chosen, and for the rest what suits the job.
+
+    A first blow is k v theta, so the approach goes with f_d (N), up to 4 mm/s. Where the surface
+    bottoms out under the tool, any push is a first blow: it is as slow as the approach, on a
+    surface at rest.
+    """
+    down = min(4.0, 0.5 * force) if approach is None else approach
+    if push is None:
+        push = down if bottoms else 16.0
+    if slide is None:
+        slide = 0.0 if bottoms else 20.0
+    return Speeds(down, push, slide)
 
 
 def _positive(name: str, value: float) -> None:

@@ -10,9 +10,8 @@ from controller.cycle import Cycle
 from controller.loop import Loop
 from controller.outcome import Ending, Kind, Outcome
 from controller.place import Place
-from controller.reference import Step
 from controller.start import bring_up
-from controller.track import Tracking, tracking
+from controller.track import tracking
 from hil.app.inline import InlineCell
 from hil.app.near import limits, near_side, task_frame
 from hil.app.record import RunRecord, identity
@@ -20,7 +19,7 @@ from hil.campaign.run import Json
 from hil.cell.rig import Rig
 from hil.experiments.force_tracking.figures import figures
 from hil.experiments.force_tracking.trace import Trace, Tracer
-from hil.experiments.force_tracking.variant import Variant, axis_of, rig_of
+from hil.experiments.force_tracking.variant import Variant, axis_of, job_of, rig_of
 from hil.recording.identity import Identity
 from hil.recording.recorder import Recorder
 
@@ -48,7 +47,7 @@ def track(rig: Rig, seed: int, variant: Variant, text: bytes = b"") -> tuple[Tra
     """The experiment once; raises CellError, DriverError, RecordingError, ValueError."""
     rig = rig_of(rig, variant).on_free_ports()
     axis = axis_of(variant, rig.robot.period)
-    job = Tracking(force=Step(variant.force))
+    job = job_of(variant)
     tracer = Tracer(rig.tool.mass)
     with ExitStack() as stack:
         recorder = _recorder(identity_of(rig, seed, variant, text), variant, stack)

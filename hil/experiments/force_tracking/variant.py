@@ -6,6 +6,8 @@ from dataclasses import asdict, dataclass, fields
 from controller.laws.bounds import Bounds
 from controller.laws.build import Parameters, build, settings_of
 from controller.laws.governor import Governor
+from controller.reference import Slide, Step
+from controller.track import Tracking
 from hil.campaign.run import Json
 from hil.cell.rig import Rig
 from hil.cell.rig.latency import LatencyLaw
@@ -17,7 +19,8 @@ class Variant:
 
     stiffness: k_e, N/m. latency: of sensor and command together, mean, s. force: f_d, N.
     bottoming_force: push (N) at which the surface turns as stiff as `bottoming_stiffness` (N/m).
-    approach, push: inward speeds in free air and in contact, m/s. parameters: of the law.
+    approach, push: inward speeds in free air and in contact, m/s. slide: along the surface after
+    the hold, m/s; 0 ends the run with the hold. parameters: of the law.
     nominal: the rig's own surface instead of a drawn one. trace: keep the time courses.
     recording: folder for the run's recording, "" for none.
     """
@@ -29,6 +32,7 @@ class Variant:
     force: float = 10.0
     approach: float = 4e-3
     push: float = 16e-3
+    slide: float = 20e-3
     bottoming_force: float = 0.0
     bottoming_stiffness: float = 50e3
     nominal: bool = False
@@ -75,6 +79,14 @@ def with_mean(law: LatencyLaw, mean: float) -> LatencyLaw:
     if mean <= 0.0:
         return LatencyLaw()
     return law.model_copy(update={"mean": mean})
+
+
+def job_of(variant: Variant) -> Tracking:
+    """What the arm does: down, hold, slide."""
+    force = Step(variant.force)
+    if variant.slide == 0.0:
+        return Tracking(force=force, moving=0.0)
+    return Tracking(force=force, slide=Slide(variant.slide))
 
 
 def bounds_of(variant: Variant) -> Bounds:
