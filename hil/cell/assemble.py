@@ -80,7 +80,8 @@ def serve(rig: Rig, seed: int, across_processes: bool) -> ServedCell:
         doors.callback(server.close)
         port = _sensor_port(rig, bench, seed)
         doors.pop_all()
-    return ServedCell(bench, server, gateway, robot.host, port)
+    ahead = rig.latency.rtde.to_cell.least > 0
+    return ServedCell(bench, server, gateway, robot.host, port, ahead=ahead)
 
 
 def _sensor_port(rig: Rig, bench: Bench, seed: int) -> TcpPort | None:

@@ -1,9 +1,12 @@
 """One control period of the cell: the way of a wrench sample from contact to the wire.
 
-`tick`: the arm decides on the inputs that RTDE brought; physics moves, and true wrenches at 1 kHz
-come into being; the sensor node turns them into CAN frames, which start to travel; the arm feels
-where it is. Then `serve` sends the frames that have arrived (`take_from_bus`) and after them the
-arm's RTDE package; the host's answer, over RTDE, releases the next tick.
+`begin`: the arm decides on the inputs that RTDE brought; physics moves, and true wrenches at 1 kHz
+come into being. `finish`: the sensor node turns them into CAN frames, which start to travel; the
+arm feels where it is. Then `serve` sends the frames that have arrived (`take_from_bus`) and after
+them the arm's RTDE package; the host's answer, over RTDE, releases the next period.
+
+An answer that travels takes effect a period later, so `begin` need not wait for it: physics runs
+while the host thinks. Until `finish` nothing of it can be seen.
 
 The loop between contact and motion is cut at one place: the arm of this period knows the plant of
 the last one, as in the real cell.
@@ -32,6 +35,14 @@ class CanLinks(NamedTuple):
     from_cell: Link[CanFrame]
 
 
+class _Begun(NamedTuple):
+    """A period whose end nobody has seen: where flange and stage should go, where they went."""
+
+    wanted: Pose
+    stage: Stage
+    moved: PlantStep
+
+
 class Bench:
     """Arm, plant and sensor node joined; whoever owns it decides when a period passes.
 
@@ -54,20 +65,33 @@ class Bench:
         self._can_in, self._can_out = bus
         self.period = period
         self.t = 0
+        self._begun: _Begun | None = None
         stage = geometry.stage(arm.flange)
         self.truth = plant.reset(StageTarget(*stage, jaws_closed=False))
 
     def tick(self) -> PlantStep:
-        """One control period: the arm decides, physics moves, the sensor speaks."""
-        target = self.arm.frame(self.t)
-        stage = self._stage(target.flange)
-        before = self.truth.stage
-        self.truth = self.plant.step(StageTarget(*stage, target.jaws_closed), self.period)
+        """One whole control period: the arm decides, physics moves, the sensor speaks."""
+        self.begin()
+        return self.finish()
+
+    def begin(self) -> None:
+        """The arm decides on the inputs that have arrived, physics moves, unless they have."""
+        if self._begun is None:
+            target = self.arm.frame(self.t)
+            stage = self._stage(target.flange)
+            moved = self.plant.step(StageTarget(*stage, target.jaws_closed), self.period)
+            self._begun = _Begun(target.flange, stage, moved)
+
+    def finish(self) -> PlantStep:
+        """The period that was begun passes: the sensor speaks, the arm feels where it is."""
+        assert self._begun is not None, "begin comes first"
+        (wanted, stage, self.truth), before = self._begun, self.truth.stage
+        self._begun = None
         self.t += self.period
         for arrival, frame in self._can_in.due(self.t):
             self.node.receive(frame, arrival)
         self._can_out.extend(self.node.advance(self.t, self.truth.wrenches))
-        flange = self._geometry.flange(self.truth.stage, target.flange, stage)
+        flange = self._geometry.flange(self.truth.stage, wanted, stage)
         self._feel(flange, before)
         return self.truth
 

@@ -61,8 +61,12 @@ class ServedCell:
         gateway: Gateway,
         host: str,
         sensor_port: TcpPort | None = None,
+        *,
+        ahead: bool = False,
     ) -> None:
+        """ahead: in lockstep no command can arrive within the period that it answers."""
         self.bench, self.server, self.gateway = bench, server, gateway
+        self._ahead = ahead
         self._sensor_port = sensor_port
         self._host = host
         self._step = 0
@@ -89,6 +93,7 @@ class ServedCell:
 
         What arrived on any door before the command is handled before its period. A period whose
         package is still on its way when it ends needs no command: nobody could answer yet.
+        Where the rig's delays allow it, the next period begins while the host thinks.
         """
         edge = self.bench.t
         while not stopped():
@@ -98,6 +103,8 @@ class ServedCell:
             self.server.poll(edge, 0.0)
             self.server.take_commands()
             edge = self._until_answerable(observe)
+            if self._ahead:
+                self.bench.begin()
 
     def _until_answerable(self, observe: Observer) -> int:
         """Tick until a package reaches a client; the bench time at which it does, ns."""
@@ -136,11 +143,12 @@ class ServedCell:
         self.server.take_commands()
 
     def _tick(self) -> None:
+        self.bench.begin()
         self.bench.put_on_bus(self.gateway.receive())
         port = self._sensor_port
         if port is not None:
             port.take(self.bench.t, self.bench.t + self.bench.period)
-        self.bench.tick()
+        self.bench.finish()
         if port is not None:
             port.publish(self.bench.t)
         self._step += 1

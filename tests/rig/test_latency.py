@@ -32,6 +32,12 @@ def test_a_delay_is_never_negative_and_a_whole_number_of_ns(name, mean, jitter, 
     assert all(isinstance(delay, int) and delay >= 0 for delay in delays)
 
 
+@given(st.sampled_from(LAWS), st.floats(1e-9, 1.0), st.floats(1e-9, 1.0), st.integers(0, 2**32))
+def test_no_delay_is_shorter_than_the_least(name, mean, jitter, seed):
+    delay = law(name, mean, jitter)
+    assert min(delay.draws(np.random.default_rng(seed), 50)) >= delay.least
+
+
 @pytest.mark.parametrize("name", LAWS)
 def test_the_mean_is_the_rigs(name):
     bound = 4 * SIGMA[name] / np.sqrt(N) + 0.5e-9

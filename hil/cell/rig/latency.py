@@ -25,6 +25,14 @@ class LatencyLaw(Section):
             raise ValueError("a gamma law needs a mean and a jitter above 0 s")
         return self
 
+    @property
+    def least(self) -> int:
+        """No delay of this law is shorter, ns."""
+        if self.law == "gamma":
+            return 1
+        spread = self.jitter if self.law == "uniform" else 0.0
+        return 0 if self.law == "normal" else max(0, round((self.mean - spread) * NS))
+
     def draw(self, rng: np.random.Generator) -> int:
         """One delay, ns."""
         return self.draws(rng, 1)[0]
@@ -32,7 +40,7 @@ class LatencyLaw(Section):
     def draws(self, rng: np.random.Generator, count: int) -> list[int]:
         """So many delays, ns: one call for many costs little more than for one."""
         seconds = np.maximum(self._seconds(rng, count), 0.0)
-        return [int(ns) for ns in np.rint(seconds * NS)]
+        return [max(self.least, int(ns)) for ns in np.rint(seconds * NS)]
 
     def _seconds(self, rng: np.random.Generator, count: int) -> NDArray[np.float64]:
         if self.law == "uniform":
