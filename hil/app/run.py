@@ -31,7 +31,7 @@ from hil.recording.recorder import Recorder
 Watch = Callable[[Cycle, Course, RunningCell], None]
 """Called in every control period, for screens and referees; must be quick and must not block.
 
-The cell stands still meanwhile in lockstep, so its truth belongs to the cycle.
+The cell's truth stands still meanwhile in lockstep, so it belongs to the cycle.
 """
 
 

@@ -33,7 +33,7 @@ class Photographer:
             return
         plant = cell.served.bench.plant
         if isinstance(plant, FfcPlant):
-            self._kept = scene.keep(plant)
+            self._kept = scene.keep(plant, cell.truth())
 
     def develop(self, rig: str, picture: Path) -> str:
         """Draw what was kept; the line that says where it is, or why there is none."""

@@ -13,15 +13,16 @@ from pathlib import Path
 import numpy as np
 
 from hil.cell.plant.ffc import FfcPlant
+from hil.cell.plant.interface import PlantStep
 
 LIMIT = 60.0
 """Wall seconds; software rendering of one frame takes about one."""
 
 
-def keep(plant: FfcPlant) -> bytes:
-    """What a picture needs of the plant's present state."""
-    state, model, kept = plant.state, plant.model, BytesIO()
-    np.savez(kept, qpos=state.qpos, body_pos=model.body_pos, body_quat=model.body_quat)
+def keep(plant: FfcPlant, truth: PlantStep) -> bytes:
+    """What a picture needs of the plant as it was at `truth`: it may be a period further by now."""
+    model, kept = plant.model, BytesIO()
+    np.savez(kept, qpos=truth.posture, body_pos=model.body_pos, body_quat=model.body_quat)
     return kept.getvalue()
 
 

@@ -101,7 +101,7 @@ class FfcPlant:
         self._stage = (q[0], q[1], q[2], q[3])
         part = self._part()
         self._depth = part.depth
-        return PlantStep(wrenches, self._stage, (v[0], v[1], v[2], v[3]), part)
+        return PlantStep(wrenches, self._stage, (v[0], v[1], v[2], v[3]), part, tuple(q))
 
     def _part(self) -> PartTruth:
         grip = self._jaws.grip

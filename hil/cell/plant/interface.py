@@ -58,12 +58,14 @@ class PlantStep:
 
     wrenches: true wrench at 1 ms, 2 ms, ... of the period, in the sensor's frame.  # (n, 6)
     stage, velocity: TCP at the period's end in task frame, m, rad and per second.  # (4,)
+    posture: positions of all of the model's joints, for pictures; () from a plant without a body.
     """
 
     wrenches: Array
     stage: tuple[float, float, float, float]
     velocity: tuple[float, float, float, float]
     part: PartTruth
+    posture: tuple[float, ...] = ()
 
 
 class Plant(Protocol):
