@@ -7,6 +7,8 @@ from queue import Queue
 from typing import Final
 
 import can
+from can.interfaces.udp_multicast import UdpMulticastBus
+from can.interfaces.udp_multicast.utils import unpack_message
 from can.interfaces.virtual import VirtualBus
 
 from drivers.errors import LinkError
@@ -15,6 +17,8 @@ from drivers.protocol.frame import CanFrame
 
 RECEIVE_BUFFER: Final = 4_000_000
 """Bytes asked of the kernel: its default holds 278 unread frames and then drops silently."""
+DATAGRAM: Final = 4096
+"""Bytes of a udp_multicast datagram at most: python-can's own limit."""
 _SO_RCVBUFFORCE: Final = 33
 """Linux, asm-generic/socket.h; beyond net.core.rmem_max, which is 212992 on most machines."""
 
@@ -39,6 +43,8 @@ def open_bus(
             f"CAN {address.interface} '{address.channel}' cannot be opened: {reason}"
         ) from error
     _widen(bus)
+    if isinstance(bus, UdpMulticastBus):
+        os.set_blocking(bus.fileno(), False)
     return bus
 
 
@@ -76,6 +82,9 @@ def drain(bus: can.BusABC, into: list[can.Message]) -> None:
     if isinstance(bus, VirtualBus) and not bus.filters:
         _drain_queue(bus.queue, into)
         return
+    if isinstance(bus, UdpMulticastBus) and not bus.filters:
+        _drain_datagrams(bus.fileno(), into)
+        return
     while (message := bus.recv(0)) is not None:
         into.append(message)
 
@@ -86,6 +95,19 @@ def _drain_queue(inbox: "Queue[can.Message]", into: list[can.Message]) -> None:
         into.extend(inbox.queue)
         inbox.queue.clear()
         inbox.not_full.notify_all()
+
+
+def _drain_datagrams(socket: int, into: list[can.Message]) -> None:
+    """Datagram by datagram without `recv`'s select and time stamp: a third of its cost."""
+    while True:
+        try:
+            datagram = os.read(socket, DATAGRAM)
+        except BlockingIOError:
+            return
+        try:
+            into.append(unpack_message(datagram, check=True))
+        except Exception as error:  # whatever a stray datagram breaks, as python-can has it
+            raise can.CanOperationError("could not unpack received message") from error
 
 
 def send(bus: can.BusABC, frame: CanFrame) -> None:

@@ -11,6 +11,7 @@ from drivers.protocol.frame import CanFrame
 from hil.cell.errors import DoorError
 from hil.cell.rig.sensor import CanBus
 from hil.cell.sensor.can_interfaces import free_udp_port, up_can_interfaces
+from hil.cell.sensor.multicast_bus import BatchMulticastBus
 from hil.cell.sensor.shared_bus import SharedVirtualBus
 
 Say: TypeAlias = Callable[[str], None]
@@ -24,9 +25,7 @@ def unheard(_: str) -> None:
 
 
 class Gateway:
-    """Sends and takes frames without waiting. A message is made anew for each frame sent, since
-    receivers on a virtual bus keep it. say: told in one line what was dropped.
-    """
+    """Sends and takes frames without waiting. say: told in one line what was dropped."""
 
     def __init__(self, bus: can.BusABC, address: BusAddress, say: Say = unheard) -> None:
         self._bus = bus
@@ -44,19 +43,13 @@ class Gateway:
 
     def send(self, frames: list[CanFrame]) -> None:
         """Put frames on the bus in order; raises DoorError."""
-        messages = [
-            can.Message(
-                arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
-            )
-            for id, data, fd in frames
-        ]
         self._sent.update([frame.id for frame in frames])
         try:
-            if isinstance(self._bus, SharedVirtualBus):
-                self._bus.send_all(messages)
+            if isinstance(self._bus, SharedVirtualBus | BatchMulticastBus):
+                self._bus.send_frames(frames)
             else:
-                for message in messages:
-                    self._bus.send(message)
+                for frame in frames:
+                    self._bus.send(_message(frame))
         except (can.CanError, OSError) as error:
             raise DoorError(f"{self.describe()}: cannot send: {error}") from error
 
@@ -106,6 +99,8 @@ def open_gateway(
 def _open(address: BusAddress, fd: bool) -> can.BusABC:
     if address.interface == "virtual":
         return SharedVirtualBus(address.channel)
+    if address.interface == "udp_multicast":
+        return BatchMulticastBus(*address.group)
     options: dict[str, object] = dict(address.options())
     if fd and address.interface == "socketcan":
         options["fd"] = True
@@ -134,6 +129,13 @@ def _unique_channel(interface: str) -> str:
         return f"hil-{uuid4().hex[:8]}"
     port = free_udp_port()
     return f"239.74.{port >> 8}.{port & 0xFF}:{port}"
+
+
+def _message(frame: CanFrame) -> can.Message:
+    id, data, fd = frame
+    return can.Message(
+        arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
+    )
 
 
 def _is_data(message: can.Message) -> bool:

@@ -5,6 +5,8 @@ from collections.abc import Sequence
 import can
 from can.interfaces.virtual import VirtualBus
 
+from drivers.protocol.frame import CanFrame
+
 
 class SharedVirtualBus(VirtualBus):
     """Receivers get the very messages that were sent, where `VirtualBus` makes each a deep copy.
@@ -27,6 +29,17 @@ class SharedVirtualBus(VirtualBus):
     def send(self, msg: can.Message, timeout: float | None = None) -> None:
         """Put the message on every other bus of the channel; never waits."""
         self.send_all((msg,))
+
+    def send_frames(self, frames: Sequence[CanFrame]) -> None:
+        """Put standard frames on the bus in order, a message made anew for each."""
+        self.send_all(
+            [
+                can.Message(
+                    arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
+                )
+                for id, data, fd in frames
+            ]
+        )
 
     def send_all(self, messages: Sequence[can.Message]) -> None:
         """Put messages on every other bus of the channel, all at once."""
