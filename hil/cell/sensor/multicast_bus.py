@@ -1,5 +1,6 @@
 """python-can's udp_multicast bus for many frames a period: the same datagrams at a tenth of the
-cost (16 frames: 75 us instead of 0.5 ms, measured)."""
+cost (16 frames: 75 us instead of 0.5 ms, measured).
+"""
 
 import os
 import socket

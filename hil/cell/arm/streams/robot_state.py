@@ -74,7 +74,7 @@ def _joints(box: ControlBox) -> Values:
 
 def _masterboard(box: ControlBox) -> Values:
     signals, types = box.signals, box.signals.analog_types
-    inputs = (types & 1, types >> 1 & 1, *signals.analog_inputs)
+    inputs = (types & 1, types >> 1 & 1, *signals.analog_inputs[:2])
     outputs = (types >> 2 & 1, types >> 3 & 1, *signals.analog_outputs)
     electrical = (30.0, 48.0, 0.5, 0.0)
     safety = (box.modes.safety, box.modes.safety is SafetyMode.REDUCED)
