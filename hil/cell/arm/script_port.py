@@ -68,7 +68,8 @@ class ScriptPort:
         return bool(self._box.signals.outputs >> _index(bit, 18) & 1)
 
     def analog_input(self, index: int) -> float:
-        return self._box.signals.analog_inputs[_index(index, 4)]
+        signals = self._box.signals
+        return (*signals.analog_inputs, *signals.tool_analog_inputs)[_index(index, 4)]
 
     def analog_output(self, index: int) -> float:
         return self._box.signals.analog_outputs[_index(index, 2)]

@@ -26,14 +26,15 @@ class Signals:
 
     __slots__ = (
         "analog_inputs", "analog_outputs", "analog_types", "flags", "inputs", "outputs",
-        "runstates", "speed_fraction", "tool_analog_types", "tool_mode", "tool_output_modes",
-        "tool_voltage",
+        "runstates", "speed_fraction", "tool_analog_inputs", "tool_analog_types", "tool_mode",
+        "tool_output_modes", "tool_voltage",
     )  # fmt: skip
 
     def __init__(self) -> None:
         self.inputs = 0
         self.outputs = 0
-        self.analog_inputs = [0.0] * 4
+        self.analog_inputs = [0.0, 0.0]
+        self.tool_analog_inputs = [0.0, 0.0]
         self.analog_outputs = [0.0, 0.0]
         self.analog_types = 0b1111
         self.speed_fraction = 1.0

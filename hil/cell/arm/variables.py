@@ -126,7 +126,7 @@ def _bank_readers(side: str, bank: Bank) -> dict[str, Reader]:
 def _analog_readers(box: ControlBox) -> dict[str, Reader]:
     table: dict[str, Reader] = {}
     for n in (0, 1):
-        table[f"tool_analog_input{n}"] = partial(getitem, box.signals.analog_inputs, 2 + n)
+        table[f"tool_analog_input{n}"] = partial(getitem, box.signals.tool_analog_inputs, n)
         table[f"tool_digital_output{n}_mode"] = partial(getitem, box.signals.tool_output_modes, n)
         table[f"standard_analog_input{n}"] = partial(getitem, box.signals.analog_inputs, n)
         table[f"standard_analog_output{n}"] = partial(getitem, box.signals.analog_outputs, n)

@@ -36,7 +36,7 @@ class Configuration:
         self._port.set_payload(number(m), self._port.payload()[1])
 
     def set_payload_cog(self, CoG: Value) -> None:
-        """M in the flange's frame; the mass stays."""
+        """In m in the flange's frame; the mass stays."""
         self._port.set_payload(self._port.payload()[0], vector3(CoG))
 
     def set_target_payload(
