@@ -13,6 +13,14 @@ class UnknownLearnerError(LearnerError):
     """A name that is neither a learner of this package nor an import path of one."""
 
 
+class LearnerParameterError(LearnerError):
+    """A parameter that a learner does not have, or a value that it refuses."""
+
+
+class MissingExtraError(LearnerError):
+    """A learner that needs packages which are not installed."""
+
+
 class RingGapError(LearnerError):
     """Transitions were overwritten before the learner took them: its experience has a hole."""
 

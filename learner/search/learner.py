@@ -7,13 +7,10 @@ from controller.action import Action, Observation
 from controller.outcome import Kind
 from learner.grid import Cell, Grid
 from learner.interface import State, Transition
+from learner.search.settings import Search
 from learner.tabular.dice import below, words
 from learner.tabular.tables import restore
 
-_TURN = 2.0
-"""A step about z away from the last slot counts as so many along x or y: turns find it least."""
-_WAY = 0.6
-"""A step of way there counts as so many steps off the last slot."""
 _CENTRE = 1e-3
 """Between poses equally near, the one nearer the box's middle."""
 
@@ -24,8 +21,8 @@ class SearchLearner:
     slot: where the last insertion was, counted from the box's corner; -1 before the first.
     """
 
-    def __init__(self, grid: Grid, rng: np.random.Generator) -> None:
-        self.grid = grid
+    def __init__(self, grid: Grid, settings: Search, rng: np.random.Generator) -> None:
+        self.grid, self.settings = grid, settings
         self.tried: NDArray[np.bool_] = np.zeros(grid.states, np.bool_)
         self.slot: NDArray[np.int64] = np.full(3, -1)
         self.dice = words(rng, 1)
@@ -74,7 +71,7 @@ class SearchLearner:
             cost = way + _CENTRE * self._off_middle
             return cost
         x, y, turn = np.abs(self._poses - self.slot[:, None])
-        cost = x + y + _TURN * turn + _WAY * way
+        cost = x + y + self.settings.turn * turn + self.settings.way * way
         return cost
 
     def _place(self, cell: Cell) -> NDArray[np.int64]:

@@ -5,6 +5,7 @@ from controller.outcome import Kind
 from learner.errors import CheckpointError
 from learner.interface import Transition
 from learner.search.learner import SearchLearner
+from learner.search.settings import Search
 from learner.worlds.evaluate import Protocol, evaluate
 from learner.worlds.model import Model
 from learner.worlds.named import model
@@ -12,7 +13,7 @@ from learner.worlds.slot import SlotWorld
 
 
 def learner_for(world, seed=1):
-    return SearchLearner(world.grid, np.random.default_rng(seed))
+    return SearchLearner(world.grid, Search(), np.random.default_rng(seed))
 
 
 def results(world, learner, protocol=None, seed=1):

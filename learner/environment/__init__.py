@@ -1,0 +1,1 @@
+"""The search task as a gymnasium environment, over any world of `learner.worlds`' interface."""
