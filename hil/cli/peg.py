@@ -16,7 +16,10 @@ def peg_in_hole(
     *,
     learner: Annotated[
         str,
-        typer.Option(help="With commas; also shared-ql, shared-wdql, package.module:Class."),
+        typer.Option(
+            help="With commas; also dql, ac, pg, ppo (extra `baselines`), shared-ql, shared-wdql, "
+            "package.module:Class."
+        ),
     ] = ALL,
     world: Annotated[
         str, typer.Option(help="G0, the paper's gridworld; K1, K2, K3, R1, ffc: stand-ins.")
@@ -33,6 +36,9 @@ def peg_in_hole(
     scheduler: campaign.Scheduler = "",
     ledger: campaign.LedgerFile = None,
     fresh: campaign.Fresh = False,
+    ablation: Annotated[
+        bool, typer.Option("--ablation", help="Instead: wdql, each ingredient changed in turn.")
+    ] = False,
     json: Json = False,
 ) -> int:
     """Learners on a gridworld: rates, steps and how often each beats wdql, over seeds."""
@@ -45,14 +51,16 @@ def peg_in_hole(
     from learner.worlds.evaluate import Protocol  # noqa: PLC0415
 
     numbers = _numbers(agents)
-    contenders = field.contenders(tuple(learner.split(",")), numbers)
+    named = field.contenders(tuple(learner.split(",")), numbers)
+    contenders = field.ablation() if ablation else named
+    reference = "wdql n=6" if ablation else f"wdql n={max(numbers)}"
     series = plan(world, contenders, range(seed, seed + seeds), Protocol(episodes, verify))
     outcomes = campaign.conduct(
         series, jobs=jobs, scheduler=scheduler, ledger=ledger, fresh=fresh, quiet=json
     )
     found = trainings(series, outcomes)
     table = rows(found)
-    against = comparisons(found, f"wdql n={max(numbers)}")
+    against = comparisons(found, reference)
     shown = {"world": world, "rows": table, "comparisons": against}
     typer.echo(tables.as_json(shown) if json else as_text(table, paper=world != "G0"), nl=False)
     if figure is not None:

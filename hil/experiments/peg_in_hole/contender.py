@@ -8,22 +8,31 @@ import numpy as np
 from learner.build import maker
 from learner.errors import UnknownLearnerError
 from learner.interface import Learner
-from learner.tabular.settings import Rule, Tabular
+from learner.parameters import Value
+from learner.tabular.settings import Rule
 from learner.worlds.interface import World
 
 GAMMA = 0.85
 """Section 2's discount; the other worlds keep Section 4's."""
 
 
+PAPERS = ("ql", "double-ql", "wdql-alone", "dql", "ac", "pg", "ppo")
+"""Learners of the paper, beside `wdql`."""
+
+
 class Contender(NamedTuple):
-    """agents: of `wdql` and of the shared tables; 0 for a learner that has none."""
+    """agents: of `wdql` and of the shared tables; 0 for a learner that has none. changes: of its
+    parameters, by name.
+    """
 
     learner: str
     agents: int = 0
+    changes: tuple[tuple[str, Value], ...] = ()
 
     @property
     def label(self) -> str:
-        return f"{self.learner} n={self.agents}" if self.agents else self.learner
+        count = f" n={self.agents}" if self.agents else ""
+        return self.learner + count + "".join(f", {name} {value}" for name, value in self.changes)
 
 
 def shared() -> Mapping[str, Rule]:
@@ -54,16 +63,30 @@ def _check(name: str) -> None:
 
 def made(contender: Contender, world: World, gamma: float, rng: np.random.Generator) -> Learner:
     """The learner for a world; gamma: discount of those that have the paper's."""
-    # Imported here: compiling the rules takes a second that --help need not wait for.
-    from learner.parallel.wdql import Parallel, ParallelLearner  # noqa: PLC0415
-    from learner.tabular.alone import TabularLearner  # noqa: PLC0415
+    changes = {**_paper(contender, gamma), **dict(contender.changes)}
+    return maker(contender.learner, changes)(world.grid, world.max_steps, rng)
 
-    name, agents = contender
-    alone = {"ql": Rule.SINGLE, "double-ql": Rule.DOUBLE, "wdql-alone": Rule.WEIGHTED}
+
+def _paper(contender: Contender, gamma: float) -> dict[str, Value]:
+    """What the world sets in the paper's own methods; the others keep their numbers."""
+    name, agents, _ = contender
     if name == "wdql":
-        tabular = Tabular(gamma=gamma, max_steps=world.max_steps)
-        return ParallelLearner(world.grid, Parallel(tabular, agents), rng)
-    if name in alone:
-        tabular = Tabular(alone[name], gamma=gamma, max_steps=world.max_steps)
-        return TabularLearner(world.grid, tabular, rng)
-    return maker(name)(world.grid, world.max_steps, rng)
+        return {"tabular.gamma": gamma, "agents": agents}
+    return {"gamma": gamma} if name in PAPERS else {}
+
+
+def ablation() -> tuple[Contender, ...]:
+    """Algorithm 1 and what it becomes when one ingredient is left out or exchanged.
+
+    Without simulation the robot learns from its own steps; so it does when the agents keep their
+    tables to themselves, hence one row for both.
+    """
+    whole = Contender("wdql", 6)
+    changed: tuple[tuple[str, Value], ...] = (
+        ("tabular.rule", "double"), ("tabular.rule", "single"),
+        ("tabular.c", 0.01), ("tabular.c", 100.0), ("rounds", 1), ("rounds", 10),
+        ("model", "quadratic"), ("model", "linear"), ("tabular.random_ties", False),
+    )  # fmt: skip
+    others = [Contender("wdql", count) for count in (1, 2, 4)]
+    exchanged = [whole._replace(changes=(change,)) for change in changed]
+    return (whole, Contender("wdql-alone"), *others, *exchanged)

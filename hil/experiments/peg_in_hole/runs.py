@@ -12,13 +12,16 @@ from hil.cell.streams import stream
 from hil.experiments.ffc.runs import Training
 from hil.experiments.peg_in_hole.contender import GAMMA, Contender, made, shared
 from hil.experiments.peg_in_hole.shared import MAX_STEPS, train
+from learner.neural.settings import Method
 from learner.tabular.settings import Tabular
 from learner.worlds.evaluate import Protocol, Result, evaluate
 from learner.worlds.named import model
 from learner.worlds.slot import SlotWorld
 
-LIMIT = 600.0
-"""Wall seconds of one run; the longest, shared Q-tables of one robot, takes about ten."""
+LIMIT = 3600.0
+"""Wall seconds of one run; the longest, a net on the whole gridworld, takes about a minute alone on
+a core, and many on a busy one."""
+NEURAL = {method.value for method in Method}
 
 
 def plan(world: str, contenders: tuple[Contender, ...], seeds: range, protocol: Protocol) -> Plan:
@@ -29,14 +32,26 @@ def plan(world: str, contenders: tuple[Contender, ...], seeds: range, protocol: 
         {"world": world, **contender._asdict(), **asdict(protocol)} for contender in contenders
     ]
     runs = (Run(function, "", seed, variant) for variant in variants for seed in seeds)
-    return Plan(function, tuple(runs), LIMIT)
+    nets = any(contender.learner in NEURAL for contender in contenders)
+    prepare = f"{__name__}:{'with_nets' if nets else 'rules'}"
+    return Plan(function, tuple(runs), LIMIT, prepare)
+
+
+def rules(run: Run) -> None:
+    """Load what all runs share: the compiled rules."""
+    made(Contender("wdql", 1), _world(run), GAMMA, stream(run.seed, "learner"))
+
+
+def with_nets(run: Run) -> None:
+    """And torch, which takes seconds."""
+    rules(run)
+    made(Contender("pg"), _world(run), GAMMA, stream(run.seed, "learner"))
 
 
 def one(run: Run) -> Report:
     """Train once and list the episodes."""
     chosen = run.variant
-    world = SlotWorld(model(str(chosen["world"])))
-    contender = TypeAdapter(Contender).validate_python((chosen["learner"], chosen["agents"]))
+    world, contender = _world(run), _contender(run)
     protocol = TypeAdapter(Protocol).validate_python(
         {"training": chosen["training"], "verification": chosen["verification"]}
     )
@@ -62,9 +77,17 @@ def trainings(plan: Plan, outcomes: list[Outcome]) -> list[Training]:
     return [_training(run, outcome) for run, outcome in zip(plan.runs, outcomes, strict=True)]
 
 
+def _world(run: Run) -> SlotWorld:
+    return SlotWorld(model(str(run.variant["world"])))
+
+
+def _contender(run: Run) -> Contender:
+    chosen = (run.variant[name] for name in Contender._fields)
+    return TypeAdapter(Contender).validate_python(tuple(chosen))
+
+
 def _training(run: Run, outcome: Outcome) -> Training:
-    chosen = run.variant
-    label = TypeAdapter(Contender).validate_python((chosen["learner"], chosen["agents"])).label
+    label = _contender(run).label
     if not outcome.figures:
         return Training(label, run.seed, (), outcome.verdict.value)
     results = TypeAdapter(list[Result]).validate_python(outcome.figures["episodes"])
