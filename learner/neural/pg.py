@@ -1,4 +1,8 @@
-"""PG: REINFORCE (Williams 1992), an update an episode on its discounted, standardised returns."""
+"""PG: REINFORCE (Williams 1992), an update an episode on its discounted returns.
+
+Without a baseline: standardising the returns of each episode by themselves, as is often done,
+pushes a success's first steps down and a failure's up, since the only reward comes last.
+"""
 
 import numpy as np
 import torch
@@ -63,7 +67,7 @@ class PgLearner:
 
     def _learn(self) -> None:
         k = self.steps
-        worth = torch.from_numpy(standardised(returns(self.paid[:k], self.settings.gamma)))
+        worth = torch.from_numpy(returns(self.paid[:k], self.settings.gamma).astype(np.float32))
         drawn = Categorical(logits=self.net(torch.from_numpy(self.seen[:k])))
         loss = -(drawn.log_prob(torch.from_numpy(self.taken[:k])) * worth).mean()
         self.optimiser.zero_grad()
@@ -100,14 +104,3 @@ def returns(paid: Array, gamma: float) -> Array:
     for step in range(len(paid) - 1, -1, -1):
         following = found[step] = paid[step] + gamma * following
     return found
-
-
-def standardised(values: Array) -> NDArray[np.float32]:
-    """Zero mean, unit spread, as float32; alike ones become zeros.
-
-    The only reward comes last, so without it an episode that failed would push against its last
-    steps alone, and the sizes of Eq. 4 would set the learning rate.
-    """
-    spread = float(values.std())
-    scaled: NDArray[np.float32] = ((values - values.mean()) / (spread or 1.0)).astype(np.float32)
-    return scaled

@@ -14,7 +14,7 @@ from learner.episode import Episode  # noqa: E402
 from learner.errors import CheckpointError  # noqa: E402
 from learner.neural import dql, on_policy  # noqa: E402
 from learner.neural.dice import Dice  # noqa: E402
-from learner.neural.pg import returns, standardised  # noqa: E402
+from learner.neural.pg import returns  # noqa: E402
 from learner.neural.settings import Method, Neural  # noqa: E402
 from learner.worlds.evaluate import Protocol, evaluate  # noqa: E402
 from learner.worlds.model import Model  # noqa: E402
@@ -137,7 +137,6 @@ def test_every_method_learns_the_way_to_a_slot_beside_the_start():
 
 def test_returns_are_eq_3():
     assert returns(np.array([0.0, 0.0, 1.0]), 0.5).tolist() == [0.25, 0.5, 1.0]
-    assert standardised(np.array([2.0, 2.0])).tolist() == [0.0, 0.0]
 
 
 @pytest.mark.parametrize(
