@@ -8,7 +8,7 @@ STAMP := .venv/.installed
 LINT_STAMP := .venv/.lint-installed
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 
-.PHONY: setup demo test test-can lint bench lock wheel clean
+.PHONY: setup demo test test-can lint bench lock baselines wheel clean
 
 setup: $(STAMP)
 
@@ -40,9 +40,14 @@ lint: setup
 bench: setup
 	$(BIN)/hil bench
 
-# Writes the lock file anew from pyproject.toml (needs uv).
+# torch for the CPU and stable-baselines3, for the learners dql, ac, pg and ppo.
+baselines: setup
+	$(PIP) install --requirement requirements-baselines.txt
+
+# Writes the lock file anew from pyproject.toml (needs uv). Not of the extra `baselines`: on PyPI torch
+# for Linux is the one for CUDA.
 lock:
-	uv pip compile pyproject.toml --all-extras --universal --python-version 3.11 \
+	uv pip compile pyproject.toml --extra test --extra lint --extra build --universal --python-version 3.11 \
 	  --generate-hashes --no-emit-index-url --no-emit-find-links --output-file requirements.lock
 
 wheel: setup

@@ -28,15 +28,15 @@ def parameters(settings: object) -> dict[str, Value]:
 def with_parameters(settings: Settings, values: Mapping[str, Value]) -> Settings:
     """The settings with these parameters; LearnerParameterError for a name or value they refuse."""
     for name, value in values.items():
+        if name not in parameters(settings):
+            raise LearnerParameterError(_unknown(settings, name))
         settings = _with(settings, name, name, value)
     return settings
 
 
 def _with(settings: Settings, path: str, name: str, value: Value) -> Settings:
     head, _, rest = path.partition(".")
-    old = _fields(settings).get(head)
-    if old is None or bool(rest) != is_dataclass(old):
-        raise LearnerParameterError(_unknown(settings, name))
+    old = _fields(settings)[head]
     new = _with(old, rest, name, value) if rest else _like(old, name, value)
     try:
         return replace(settings, **{head: new})  # type: ignore[type-var]  # checked by _fields

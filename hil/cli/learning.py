@@ -10,7 +10,9 @@ from hil.cli.options import Json, RigOption
 Learners = Annotated[
     list[str] | None,
     typer.Option(
-        "--learner", help="ql, double-ql, wdql-alone, wdql or package.module:Class; with commas."
+        "--learner",
+        help="ql, double-ql, wdql-alone, wdql, belief, search; dql, ac, pg, ppo (`make baselines`); "
+        "package.module:Class. With commas.",
     ),
 ]
 

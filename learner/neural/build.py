@@ -1,5 +1,6 @@
 """From a neural learner's settings to the learner, loading torch no earlier than that."""
 
+from collections.abc import Sequence
 from importlib.util import find_spec
 
 import numpy as np
@@ -12,9 +13,9 @@ from learner.neural.settings import Method, Neural
 NEEDED = ("torch", "stable_baselines3", "gymnasium")
 
 
-def check_extra(name: str) -> None:
+def check_extra(name: str, needed: Sequence[str] = NEEDED) -> None:
     """MissingExtraError, before anything runs, unless this learner's packages are installed."""
-    missing = [package for package in NEEDED if find_spec(package) is None]
+    missing = [package for package in needed if find_spec(package) is None]
     if missing:
         raise MissingExtraError(f"learner {name} needs {', '.join(missing)}: run `make baselines`")
 
