@@ -11,8 +11,8 @@ Learners = Annotated[
     list[str] | None,
     typer.Option(
         "--learner",
-        help="ql, double-ql, wdql-alone, wdql, belief, search; dql, ac, pg, ppo (`make baselines`); "
-        "package.module:Class. With commas.",
+        help="With commas: ql, double-ql, wdql-alone, wdql, belief, search; dql, ac, pg, ppo after "
+        "`make baselines`; package.module:Class.",
     ),
 ]
 
