@@ -1,6 +1,6 @@
 import pytest
 
-from hil.cell.arm.urscript import RuntimeStatus
+from hil.cell.arm.urscript import RuntimeStatus, ScriptError, compile_program
 
 
 def test_registers_are_read_and_written(robot, run):
@@ -57,3 +57,16 @@ def test_tool_and_payload_are_configured(robot, run):
     assert robot.tcp == (0.0, 0.0, 0.12, 0.0, 0.0, 0.0)
     assert robot.load[:2] == (0.6, (0.0, 0.0, 0.06))
     assert len(robot.stops) == 1
+
+
+def test_the_oldest_names_of_the_io_are_arrays_unless_the_program_has_one(robot, said):
+    program = "digital_out[3] = True\nanalog_out[1] = 0.5\ntextmsg(digital_out[3], analog_out[1])\n"
+    assert said(program) == ["True5"]
+    assert robot.digital == {3: True}
+    assert said("digital_out = [1, 2]\ndigital_out[0] = 7\ntextmsg(digital_out)\n")[-1] == "[7, 2]"
+
+
+@pytest.mark.parametrize("wrong", ["digital_out[0, 1] = True", "x = analog_in[0, 1]"])
+def test_they_have_one_index(wrong):
+    with pytest.raises(ScriptError, match="one index was expected"):
+        compile_program(wrong)

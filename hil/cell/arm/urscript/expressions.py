@@ -15,7 +15,7 @@ from lark.visitors import Interpreter
 
 from hil.cell.arm.urscript.errors import ScriptError
 from hil.cell.arm.urscript.scope import Node, Routine, nodes, place
-from hil.cell.arm.urscript.symbols import Builtin, variable
+from hil.cell.arm.urscript.symbols import READ, Builtin, builtin, variable
 from hil.cell.arm.urscript.values import INT_MAX
 
 P = TypeVar("P", bound=ast.expr | ast.stmt)
@@ -56,14 +56,24 @@ class Expressions(Interpreter[Token, ast.expr]):
         assert isinstance(node, Tree)
         return lowered if node.data in _BOOLEAN else placed(invoke("condition", lowered), node)
 
+    def knows(self, token: Token) -> bool:
+        """Whether the program has a variable of that name."""
+        return token in self._routine.locals or token in self._routine.globals
+
     def name(self, token: Token) -> str:
         """The symbol of a variable; an error if the program never assigns it."""
-        if token in self._routine.locals or token in self._routine.globals:
+        if self.knows(token):
             return variable(token)
         raise ScriptError(f"name not found: {token}", *place(token))
 
     def elements(self, tree: Node) -> list[ast.expr]:
         return [self.lower(child) for child in tree.children if child is not None]
+
+    def only(self, indices: Node) -> ast.expr:
+        """The index, where there is to be one."""
+        if len(indices.children) != 1:
+            raise ScriptError("one index was expected", *place(indices))
+        return self.lower(indices.children[0])
 
     def number(self, tree: Node) -> ast.expr:
         text = str(tree.children[0])
@@ -96,6 +106,9 @@ class Expressions(Interpreter[Token, ast.expr]):
         # `p` is a legal variable name too (client scripts use it): six elements make a pose.
         if value.data == "variable" and value.children == ["p"] and len(indices.children) == 6:
             return invoke("make_pose", *self.elements(indices))
+        name = value.children[0] if value.data == "variable" else None
+        if isinstance(name, Token) and name in READ and not self.knows(name):
+            return invoke(builtin(READ[name]), self.only(indices))
         return invoke("element", self.lower(value), *self.elements(indices))
 
     def _operator(self, tree: Node) -> ast.expr:

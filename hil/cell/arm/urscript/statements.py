@@ -11,7 +11,7 @@ from lark.visitors import Interpreter
 
 from hil.cell.arm.urscript.expressions import Expressions, invoke, placed
 from hil.cell.arm.urscript.scope import ROUTINES, Node, Routine, nodes
-from hil.cell.arm.urscript.symbols import Builtin, variable
+from hil.cell.arm.urscript.symbols import WRITTEN, Builtin, builtin, variable
 
 
 def module(main: Routine, builtins: Mapping[str, Builtin]) -> ast.Module:
@@ -65,6 +65,9 @@ class Statements(Interpreter[Token, ast.stmt]):
         _, name, indices, value = tree.children
         assert isinstance(name, Token)
         assert isinstance(indices, Tree)
+        if name in WRITTEN and not self._expressions.knows(name):
+            index = self._expressions.only(indices)
+            return ast.Expr(invoke(builtin(WRITTEN[name]), index, self._expressions.lower(value)))
         symbol = self._expressions.name(name)
         new = invoke(
             "replaced",

@@ -2,6 +2,19 @@
 
 from dataclasses import dataclass
 from inspect import Signature
+from types import MappingProxyType
+from typing import Final
+
+READ: Final = MappingProxyType(
+    {
+        "digital_in": "get_digital_in", "digital_out": "get_digital_out",
+        "analog_in": "get_analog_in", "analog_out": "get_analog_out",
+    }
+)  # fmt: skip
+WRITTEN: Final = MappingProxyType(
+    {"digital_out": "set_digital_out", "analog_out": "set_analog_out"}
+)
+"""The oldest names of the I/O, arrays that python-urx still uses: digital_out[2] = True."""
 
 
 @dataclass(frozen=True, slots=True)
