@@ -29,7 +29,10 @@ _NOWHERE: Final[Vector6] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 Tap: TypeAlias = Callable[[int, bool, bytes], None]
-"""(arm time in ns, whether it was sent, the whole package); must be quick and must not block."""
+"""(arm time in ns, whether it is sent, the whole package); must be quick and must not block.
+
+A package is heard before it goes out: what is told of it is known before the arm acts on it.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,10 +198,12 @@ class UrArm:
 
     def _send(self, command: Command, pose: Vector6) -> None:
         self._sequence = (self._sequence + 1) & SEQUENCE_MASK
-        self._rtde.send((command, self._sequence, *pose, self._mask, self._outputs))
-        self._awaited = True
+        values = (command, self._sequence, *pose, self._mask, self._outputs)
+        package = self._rtde.pack(values)
         if self._tap is not None:
-            self._tap(max(self._t, 0), True, self._rtde.sent)
+            self._tap(max(self._t, 0), True, package)
+        self._rtde.put(package)
+        self._awaited = True
 
     def _receive(self) -> Sample:
         sample = Sample._make(self._rtde.read_newest())

@@ -30,7 +30,7 @@ class RtdeConnection:
         self._agreement: Agreement | None = None
         self._cutter = Cutter()
         self._buffer = memoryview(bytearray(_BUFFER))
-        self.sent = self.received = b""  # last data package out, payload of the last one in
+        self.received = b""  # payload of the last data package
         self.texts: deque[setup.TextMessage] = deque(maxlen=8)  # newest last, for error messages
 
     @property
@@ -55,12 +55,11 @@ class RtdeConnection:
             self._stream.close()
         self._stream = self._agreement = None
 
-    def send(self, values: Sequence[object]) -> None:
-        """Send one package of the input recipe."""
+    def pack(self, values: Sequence[object]) -> bytes:
+        """One package of the input recipe."""
         agreement = self._agreed()
         body = agreement.inputs.pack(values)
-        self.sent = encode(PackageType.DATA, bytes((agreement.input_id,)) + body)
-        self._put(self.sent)
+        return encode(PackageType.DATA, bytes((agreement.input_id,)) + body)
 
     def read_newest(self) -> tuple[object, ...]:
         """Block for a package of the output recipe; the newest one's values."""
@@ -95,7 +94,8 @@ class RtdeConnection:
             raise LinkError(f"{self._peer} is not connected; call connect()")
         return self._stream
 
-    def _put(self, package: bytes) -> None:
+    def put(self, package: bytes) -> None:
+        """Send bytes that are a whole package."""
         stream = self._connected()
         try:
             stream.sendall(package)
@@ -130,7 +130,7 @@ class RtdeConnection:
         try:
             request = next(dialogue)
             while True:
-                self._put(request)
+                self.put(request)
                 while not pending:
                     pending.extend(self._receive()[0])
                 request = dialogue.send(pending.popleft())

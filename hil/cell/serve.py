@@ -106,6 +106,14 @@ class ServedCell:
             if self._ahead:
                 self.bench.begin()
 
+    def coast(self, periods: int, observe: Observer) -> None:
+        """So many periods that nobody's command releases: what the cell does when left alone."""
+        for _ in range(periods):
+            self.server.poll(self.bench.t, 0.0)
+            self.server.take_commands()
+            self._tick()
+            self._send(self.bench.t, observe)
+
     def _until_answerable(self, observe: Observer) -> int:
         """Tick until a package reaches a client; the bench time at which it does, ns."""
         while True:
@@ -155,13 +163,16 @@ class ServedCell:
         self.server.publish(self.bench.t, self._step)
 
     def _send(self, edge: int, observe: Observer) -> None:
-        """The sensor goes out before RTDE, so the RTDE package is the edge of the period."""
+        """The sensor goes out before RTDE, so the RTDE package is the edge of the period.
+
+        The observer comes first: what it sees is not mixed with what a host does upon it.
+        """
         frames = self.bench.take_from_bus(edge)
+        observe(Tick(self.bench.t, frames, self.bench.truth))
         self.gateway.send([frame for _, frame in frames])
         if self._sensor_port is not None:
             self._sensor_port.flush(edge)
         self.server.flush(edge)
-        observe(Tick(self.bench.t, frames, self.bench.truth))
 
     def close(self) -> None:
         self.server.close()

@@ -20,6 +20,17 @@ class Limits(Section):
     step_rotation: Angle = Field(default=0.02, gt=0)
     speed: MetresPerSecond = Field(default=0.3, gt=0)
     sample_age: Seconds = Field(default=10e-3, gt=0)
+    """W: the newest sample's age that is still controlled on. Ten samples; by then a descent at
+    4 mm/s has gone 0.04 mm, 0.8 N at the pad's 20 kN/m."""
+    command_age: Seconds = Field(default=0.1, ge=0.02, le=2)
+    """X: age of a command's ground at which the robot stops by itself, and the near side when it
+    hears so. Several times the round trip of any network that can be controlled over."""
+    standstill: Seconds = Field(default=0.5, gt=0)
+    """N, as time: from a fault that has to stop the arm until it stands. X, a stop at 4 rad/s^2
+    from the fastest travel (0.1 s) and the arm's own lag (50 ms), twice."""
+    force_error: float = Field(default=0.25, ge=0)
+    """How far the sensor may be off, as a share of force_bound: noise of the mean, drift since the
+    last zero and travel time of a sample at search speed. What the true force is judged with."""
 
 
 class Task(Section):

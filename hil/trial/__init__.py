@@ -1,0 +1,1 @@
+"""One run under faults, with its verdict: what happened, what it shows, whether it was safe."""

@@ -1,0 +1,111 @@
+"""The near side of a trial: brought up, driven through a job, left; each step told to a sampler."""
+
+from dataclasses import dataclass
+from functools import partial
+from struct import Struct
+from typing import Final, Protocol
+
+from controller.action import Policy
+from controller.course import Course, Phase
+from controller.job import assembly
+from controller.loop import Loop
+from controller.outcome import Ending, Outcome
+from controller.settings import Plan
+from controller.start import bring_up
+from drivers.errors import DriverError
+from drivers.interfaces import SensorHealth
+from drivers.ur.program import Command
+from hil.app.near import NearSide, limits, task_frame
+from hil.cell.rig import Rig
+from hil.trial.sampler import Sampler
+
+_HEAD: Final = Struct(">3xBii")
+"""Size and type of an RTDE package, its recipe; command and sequence, the recipe's first inputs."""
+
+
+class Overtime(BaseException):
+    """The run has used up its bench time."""
+
+
+class Told(Protocol):
+    """Who else hears where the job stands, before each command: the cell's injection."""
+
+    def __call__(self, phase: str, episode: int) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Driven:
+    """started: whether the near side came as far as a job. error: what it raised instead."""
+
+    outcome: Outcome | None
+    error: BaseException | None
+    started: bool
+    overtime: bool
+
+
+class Driver:
+    """One near side on its way through a run."""
+
+    def __init__(self, rig: Rig, sampler: Sampler, longest: int, tell: Told) -> None:
+        """longest: ns of bench time after which a run counts as a hang."""
+        self._rig, self._sampler, self._longest, self._tell = rig, sampler, longest, tell
+        self._began: int | None = None
+
+    def heard(self, t: int, sent: bool, package: bytes) -> None:
+        """A package that the arm's driver sent or read at arm time t, ns."""
+        if not sent:
+            self._began = t if self._began is None else self._began
+            if t - self._began > self._longest:
+                raise Overtime
+            return
+        _, command, sequence = _HEAD.unpack_from(package)
+        self._sampler.command(sequence, t)
+        self._sampler.stopping = command != Command.SERVO
+        self._tell(self._sampler.phase, self._sampler.episode)
+
+    def run(self, near: NearSide, plan: Plan, policy: Policy) -> Driven:
+        """Everything from power-up to the arm at rest; raises nothing."""
+        started = False
+        try:
+            bring_up(near.arm, near.sensor)
+            started = True
+            return Driven(self._work(near, plan, policy), None, started, overtime=False)
+        except Overtime:
+            return Driven(None, None, started, overtime=True)
+        except DriverError as error:
+            return Driven(None, error, started, overtime=False)
+        except Exception as error:  # whatever escapes the near side is the verdict's to judge
+            return Driven(None, error, started, overtime=False)
+        finally:
+            self._sampler.running = False
+            self._leave(near)
+
+    def _work(self, near: NearSide, plan: Plan, policy: Policy) -> Outcome:
+        sampler = self._sampler
+        loop = Loop(near.arm, near.sensor, task_frame(self._rig))
+        sampler.episode, sampler.running = 1, True
+        job = partial(assembly, plan=plan, sensor=near.sensor, gripper=near.gripper, policy=policy)
+        outcome = loop.run(lambda course: self._sampled(course, job(course)), limits(self._rig))
+        sampler.running = False
+        return outcome
+
+    def _sampled(self, course: Course, job: Phase[Ending]) -> Phase[Ending]:
+        """The job, each cycle sampled before its command lets the cell move on."""
+        try:
+            setpoint = next(job)
+            while True:
+                self._sampler.cycle(course.cycle, course)
+                setpoint = job.send((yield setpoint))
+        except StopIteration as end:
+            ending: Ending = end.value
+            return ending
+
+    def _leave(self, near: NearSide) -> None:
+        self._longest = 1 << 62
+        near.arm.close()
+        near.sensor.close()
+
+
+def health(near: NearSide) -> SensorHealth:
+    """What the sensor's driver has counted."""
+    return near.sensor.health

@@ -1,0 +1,134 @@
+"""Takes one row of signals a control period: the cell's truth and what the near side knew.
+
+The cell tells each period as it ends; the near side tells each cycle before the command that
+releases the next period. In lockstep they take turns, so a row is the same on every machine.
+"""
+
+from collections import deque
+from collections.abc import Callable, Sequence
+from math import dist, hypot, isfinite
+from typing import Final
+
+from controller.course import Course
+from controller.cycle import Cycle
+from drivers.protocol.rtde_states import RuntimeState, SafetyMode
+from drivers.ur.program import SEQUENCE_MASK, Command
+from hil.cell.bench import Bench
+from hil.cell.rig import Rig
+from hil.cell.serve import Tick
+from hil.trial.signals import NAMES
+from hil.trial.trace import Trace, trace
+from hil.trial.truth import Push, Vector4
+
+_COMMAND, _SEQUENCE = 24, 25
+_TARGET: Final = slice(24, 30)
+_SAFE: Final = (SafetyMode.NORMAL, SafetyMode.REDUCED)
+REMEMBERED: Final = 4096
+"""Commands whose time of reading is known: 8 s of them at 500 Hz."""
+
+Forces = Callable[[], tuple[int, bool]]
+"""How many faults are in force, and whether one of them has to stop the arm."""
+
+
+def no_faults() -> tuple[int, bool]:
+    return 0, False
+
+
+class Sampler:
+    """far: its `tick` is the cell's observer. near: `command`, `cycle` and `stopping`."""
+
+    def __init__(self, rig: Rig, faults: Forces = no_faults) -> None:
+        self._bound = rig.limits.force_bound
+        self._length = rig.tool.length
+        self._push = Push(rig.tool.mass, rig.robot.period)
+        self._faults = faults
+        self._rows: list[tuple[float, ...]] = []
+        self._phases: list[str] = []
+        self._reads: deque[tuple[int, int]] = deque(maxlen=REMEMBERED)
+        self._commands = 0
+        self._target: tuple[float, ...] = ()
+        self.bench: Bench | None = None
+        self.phase, self.episode = "start", 0
+        self.running = self.stopping = False
+        self._measured: Vector4 = (0.0, 0.0, 0.0, 0.0)
+        self._age, self._steps = 0, 0
+
+    def command(self, sequence: int, read: int) -> None:
+        """The near side sent this command, knowing the package of controller time `read`, ns."""
+        self._commands += 1
+        self._reads.append((sequence, read))
+
+    def cycle(self, cycle: Cycle, course: Course) -> None:
+        """What the near side knows in this cycle."""
+        self.phase, self._steps, self._age = course.name, course.steps, cycle.reading.age
+        fx, fy, fz, _, _, tau_z = cycle.wrench
+        self._measured = fx, fy, fz, tau_z
+
+    def tick(self, tick: Tick) -> None:
+        """One period of the cell has ended."""
+        bench = self.bench
+        if bench is None:
+            return
+        force = self._push.take(tick.truth)
+        faults, owed = self._faults()
+        (vx, vy, vz, turning), part = tick.truth.velocity, tick.truth.part
+        row = (
+            tick.t * 1e-9,
+            float(self.episode),
+            float(self.running),
+            float(part.contact.value != "free"),
+            *force,
+            *self._measured,
+            self._share(force),
+            self._share(self._measured),
+            self._age * 1e-9,
+            *self._robot(bench, tick.t),
+            hypot(vx, vy, vz),
+            abs(turning),
+            float(all(map(isfinite, bench.arm.box.registers.inputs.floats[_TARGET]))),
+            float(bench.arm.box.modes.safety in _SAFE),
+            float(faults),
+            float(owed),
+            float(self._steps),
+        )
+        self._commands = 0
+        self._rows.append(row)
+        self._phases.append(self.phase)
+
+    @property
+    def trace(self) -> Trace:
+        """All rows so far."""
+        return trace(self._rows, self._phases)
+
+    def _share(self, forces: Vector4) -> float:
+        return max(abs(f) / bound for f, bound in zip(forces, self._bound, strict=True))
+
+    def _robot(self, bench: Bench, t: int) -> Sequence[float]:
+        """command_age, commands, servoing, stopping, step, turn."""
+        box = bench.arm.box
+        integers = box.registers.inputs.integers
+        plays = box.modes.moving and box.modes.program is RuntimeState.PLAYING
+        servoing = plays and integers[_COMMAND] == Command.SERVO
+        (x, y, z), rotation = box.target.flange
+        tip = [at + self._length * row[2] for at, row in zip((x, y, z), rotation, strict=True)]
+        heading = rotation[0]
+        last, self._target = self._target, (*tip, heading[0], heading[1])
+        step = dist(tip, last[:3]) if last else 0.0
+        turn = hypot(heading[0] - last[3], heading[1] - last[4]) if last else 0.0
+        age = self._command_age(integers[_SEQUENCE], t) if servoing else 0.0
+        stopping = self.stopping or not plays
+        return (age, float(self._commands), float(servoing), float(stopping), step, turn)
+
+    def _command_age(self, sequence: int, t: int) -> float:
+        """How old the state is that this command answers, s; 0 for one that is not the near's."""
+        reads = self._reads
+        while len(reads) > 1 and (sequence - reads[0][0]) & SEQUENCE_MASK < SEQUENCE_MASK >> 1:
+            if reads[0][0] == sequence:
+                break
+            reads.popleft()
+        if reads and reads[0][0] == sequence:
+            return (t - reads[0][1]) * 1e-9
+        return 0.0
+
+
+assert len(NAMES) == 28, "a row of `tick` has a value for each signal"

@@ -1,0 +1,148 @@
+"""One run of a rig under a schedule of faults: the whole of it, from power-up to a verdict."""
+
+from dataclasses import dataclass, field
+from hashlib import sha256
+from typing import Final
+
+from controller.action import Policy
+from controller.outcome import Outcome
+from drivers.errors import DriverError
+from drivers.interfaces import SensorHealth
+from hil.app.inline import InlineCell
+from hil.app.near import near_side, part_named, start_plan
+from hil.app.policy import policy as named_policy
+from hil.cell.errors import CellError
+from hil.cell.faults.log import FaultEvent, idle
+from hil.cell.faults.schedule import Schedule
+from hil.cell.rig import Rig
+from hil.trial.always import monitors
+from hil.trial.drive import Driven, Driver
+from hil.trial.sampler import Sampler
+from hil.trial.trace import Trace
+from hil.trial.verdict import Judgement, Verdict, Violation, judge
+
+NS: Final = 1_000_000_000
+LONGEST: Final = 120.0
+"""Bench seconds of a run; an insertion takes 10 to 60."""
+AFTERMATH: Final = 1.0
+"""Bench seconds that the cell goes on without its host: longer than any stop may take."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """verdict, reason: the run's. outcome: the job's own, None where it never ended by itself.
+
+    robustness: of each always-on monitor, in scales. events: what became of each fault. log: the
+    robot's, (bench ns, text). digest: SHA-256 of all of it; the same run has the same one.
+    """
+
+    seed: int
+    schedule: Schedule | None
+    verdict: Verdict
+    reason: str
+    outcome: Outcome | None
+    error: str
+    trace: Trace
+    events: tuple[FaultEvent, ...]
+    robustness: dict[str, float]
+    violations: tuple[Violation, ...]
+    health: SensorHealth | None
+    log: tuple[tuple[int, str], ...] = field(repr=False)
+    period: int
+
+    @property
+    def worst(self) -> float:
+        """Least robustness of all always-on monitors."""
+        return min(self.robustness.values(), default=float("inf"))
+
+    @property
+    def digest(self) -> str:
+        hashed = sha256(f"{self.verdict}\0{self.reason}\0{self.outcome}\0{self.error}\0".encode())
+        hashed.update(self.trace.digest.encode())
+        for event in self.events:
+            hashed.update(f"{event.t} {event}\0".encode())
+        return hashed.hexdigest()
+
+
+def run_trial(
+    rig: Rig,
+    seed: int,
+    schedule: Schedule | None = None,
+    *,
+    policy: "str | Policy" = "pose",
+    part: str = "",
+    longest: float = LONGEST,
+) -> Trial:
+    """Serve the rig's cell in this process in lockstep, drive one assembly, judge it.
+
+    policy: a name as of `hil run`, or a policy of one's own. longest: bench s that are no hang.
+    Raises RigError and FaultError for what cannot be run at all, and nothing else.
+    """
+    plan = start_plan(rig, part_named(rig, part or rig.first_part), seed)
+    sampler = Sampler(rig)
+    with InlineCell(rig, seed, "lockstep", observe=sampler.tick) as cell:
+        sampler.bench = cell.served.bench
+        driver = Driver(rig, sampler, round(longest * NS), lambda phase, episode: None)
+        with near_side(rig, cell.doors, driver.heard) as near:
+            chosen = policy if not isinstance(policy, str) else None
+            chosen = chosen or named_policy(str(policy), plan, seed, cell)
+            driven = driver.run(near, plan, chosen)
+            health = near.sensor.health
+        died = _aftermath(cell, rig)
+        events: tuple[FaultEvent, ...] = ()
+        log = cell.served.bench.arm.log
+    judgement = judge(sampler.trace, monitors(rig))
+    verdict, reason = _verdict(driven, died, judgement, events)
+    return Trial(
+        seed=seed,
+        schedule=schedule,
+        verdict=verdict,
+        reason=reason,
+        outcome=driven.outcome,
+        error=_words(driven.error),
+        trace=sampler.trace,
+        events=events,
+        robustness=judgement.robustness,
+        violations=judgement.violations,
+        health=health,
+        log=log,
+        period=rig.robot.period,
+    )
+
+
+def _aftermath(cell: InlineCell, rig: Rig) -> BaseException | None:
+    """Watch the cell without its host; what it died of, if it did."""
+    try:
+        cell.coast(round(AFTERMATH * NS) // rig.robot.period)
+    except Exception as error:  # whatever it is, the run is over and this is why
+        return error
+    return None
+
+
+def _verdict(
+    driven: Driven,
+    died: BaseException | None,
+    judgement: Judgement,
+    events: tuple[FaultEvent, ...],
+) -> tuple[Verdict, str]:
+    """The gravest first: what crashed cannot be judged, what is unsafe need not be proven."""
+    wild = driven.error is not None and not isinstance(driven.error, DriverError | CellError)
+    waiting = ", ".join(kind for _, kind in idle(events))
+    ended = driven.outcome
+    found = (
+        (died is not None, Verdict.CRASH, f"the cell: {_words(died)}"),
+        (wild, Verdict.CRASH, f"the near side: {_words(driven.error)}"),
+        (judgement.violations, Verdict.FAILED, "; ".join(map(str, judgement.violations))),
+        (driven.overtime, Verdict.HANG, "the job did not end within its bench time"),
+        (waiting, Verdict.VACUOUS, f"armed, but without any effect: {waiting}"),
+        (ended is None, Verdict.BLOCKED, _words(driven.error)),
+    )
+    for holds, verdict, reason in found:
+        if holds:
+            return verdict, reason
+    assert ended is not None, "else it is blocked"
+    return Verdict.PASSED, f"{ended.kind.value}: {ended.reason}"
+
+
+def _words(error: BaseException | None) -> str:
+    return "" if error is None else f"{type(error).__name__}: {error}"
