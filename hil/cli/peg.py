@@ -1,13 +1,16 @@
 """`hil experiment peg-in-hole`: learners compared on worlds without physics (Fig. 4)."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from hil.cli import campaign
 from hil.cli.errors import FAILED
 from hil.cli.options import Json
+
+if TYPE_CHECKING:
+    from hil.experiments.peg_in_hole.contender import Contender
 
 ALL = "ql,double-ql,wdql-alone,wdql,belief,search"
 
@@ -39,6 +42,12 @@ def peg_in_hole(
     ablation: Annotated[
         bool, typer.Option("--ablation", help="Instead: wdql, each ingredient changed in turn.")
     ] = False,
+    parameters: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Also its learners with its parameters (`tune learner`)."
+        ),
+    ] = None,
     json: Json = False,
 ) -> int:
     """Learners on a gridworld: rates, steps and how often each beats wdql, over seeds."""
@@ -52,7 +61,7 @@ def peg_in_hole(
 
     numbers = _numbers(agents)
     named = field.contenders(tuple(learner.split(",")), numbers)
-    contenders = field.ablation() if ablation else named
+    contenders = (field.ablation() if ablation else named) + _tuned(parameters)
     reference = "wdql n=6" if ablation else f"wdql n={max(numbers)}"
     series = plan(world, contenders, range(seed, seed + seeds), Protocol(episodes, verify))
     outcomes = campaign.conduct(
@@ -68,6 +77,13 @@ def peg_in_hole(
 
         draw(found, f"world {world}, {seeds} seeds", figure)
     return FAILED if any(outcome.verdict.broken for outcome in outcomes) else 0
+
+
+def _tuned(path: Path | None) -> "tuple[Contender, ...]":
+    from hil.experiments.peg_in_hole.contender import tuned  # noqa: PLC0415
+    from hil.experiments.peg_in_hole.parameter_file import load  # noqa: PLC0415
+
+    return () if path is None else tuned(load(path))
 
 
 def _numbers(text: str) -> tuple[int, ...]:

@@ -1,7 +1,6 @@
 """What a set of parameters is worth: figures over the grid, made without a wire."""
 
 from math import log
-from typing import NamedTuple
 
 from controller.laws.build import settings_of
 from hil.cell.rig import Rig
@@ -9,17 +8,25 @@ from hil.experiments.force_tracking.direct import direct
 from hil.experiments.force_tracking.figures import Figures
 from hil.experiments.force_tracking.variant import Variant
 from hil.tuning.errors import TuningError
+from hil.tuning.purpose import Purpose, Values, Worth
 from hil.tuning.study_file import StudyFile, nested
 
 UNSTABLE = 10.0
 """Cost of an unstable run: worse than any figure a stable one has."""
 
 
-class Worth(NamedTuple):
-    """cost: to be minimised. violations: how far each constraint is passed, <= 0 if kept."""
+def purpose(study: StudyFile, rig: Rig) -> Purpose:
+    """The search for this law's parameters on a rig."""
 
-    cost: float
-    violations: dict[str, float]
+    def of(values: Values) -> Worth:
+        return worth(study, rig, {name: _number(value) for name, value in values.items()})
+
+    return Purpose(study.law, study.model_dump_json(), study.parameters, of)
+
+
+def _number(value: bool | float | str) -> float | bool:
+    assert not isinstance(value, str), "a law's parameters are looked for in ranges of numbers"
+    return value
 
 
 def worth(study: StudyFile, rig: Rig, values: dict[str, float | bool]) -> Worth:

@@ -9,15 +9,13 @@ from optuna.storages import JournalStorage
 from optuna.storages.journal import JournalFileBackend
 from optuna.trial import FrozenTrial, Trial, TrialState
 
-from hil.cell.rig import Rig
 from hil.tuning.errors import TuningError
-from hil.tuning.objective import worth
-from hil.tuning.study_file import StudyFile
+from hil.tuning.purpose import Purpose
+from hil.tuning.ranges import Choice, Looked
 
 
 def search(
-    study: StudyFile,
-    rig: Rig,
+    purpose: Purpose,
     journal: Path,
     *,
     trials: int,
@@ -29,41 +27,45 @@ def search(
     sampler = TPESampler(seed=seed, multivariate=True)
     storage = JournalStorage(JournalFileBackend(str(journal)))
     found = optuna.create_study(
-        storage=storage, study_name=study.law, sampler=sampler, load_if_exists=True
+        storage=storage, study_name=purpose.name, sampler=sampler, load_if_exists=True
     )
-    _same(found, study, journal)
+    _same(found, purpose.text, journal)
     if not found.trials:
-        found.enqueue_trial(
-            {n: r.start for n, r in study.parameters.items() if r.start is not None}
-        )
+        found.enqueue_trial({n: r.start for n, r in purpose.ranges.items() if r.start is not None})
     left = trials - sum(trial.state is TrialState.COMPLETE for trial in found.trials)
     if left > 0:
         found.optimize(
-            lambda trial: _value(study, rig, trial),
+            lambda trial: _value(purpose, trial),
             n_trials=left,
             callbacks=[lambda _, trial: tell(trial)],
         )
     return best(found.get_trials(states=(TrialState.COMPLETE,)))
 
 
-def _same(found: optuna.Study, study: StudyFile, journal: Path) -> None:
+def _same(found: optuna.Study, text: str, journal: Path) -> None:
     """Refuse to mix two studies in one journal."""
-    text = study.model_dump_json()
     before = found.user_attrs.setdefault("study", text)
     if before != text:
         raise TuningError(f"{journal}: holds trials of another study file; take a new journal")
     found.set_user_attr("study", text)
 
 
-def _value(study: StudyFile, rig: Rig, trial: Trial) -> float:
-    values: dict[str, float | bool] = {
-        name: trial.suggest_float(name, r.low, r.high, log=r.log)
-        for name, r in study.parameters.items()
-    }
-    found = worth(study, rig, values)
+def _value(purpose: Purpose, trial: Trial) -> float:
+    values = {name: _suggested(trial, name, looked) for name, looked in purpose.ranges.items()}
+    found = purpose.worth(values)
     for name, violation in found.violations.items():
         trial.set_constraint(name, violation)
     return found.cost
+
+
+def _suggested(trial: Trial, name: str, looked: Looked) -> bool | int | float | str:
+    if isinstance(looked, Choice):
+        chosen = trial.suggest_categorical(name, looked.choices)
+        assert chosen is not None, "no choice is None"
+        return chosen
+    if looked.whole:
+        return trial.suggest_int(name, int(looked.low), int(looked.high), log=looked.log)
+    return trial.suggest_float(name, looked.low, looked.high, log=looked.log)
 
 
 def best(trials: Sequence[FrozenTrial]) -> FrozenTrial:

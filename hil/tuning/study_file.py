@@ -1,42 +1,23 @@
 """The study file: what is searched, over which contacts, for what, and within which limits."""
 
 from pathlib import Path
-from typing import Literal
+from typing import Literal, TypeVar
 
 import yaml
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import Field, ValidationError
 
 from hil.experiments.force_tracking.figures import Figures
 from hil.tuning.errors import TuningError
+from hil.tuning.ranges import Part, Range
 
 Figure = Literal["overshoot", "settling", "rms_static", "rms_tracking", "peak"]
 assert set(Figure.__args__) | {"unstable"} == set(Figures._fields)  # type: ignore[attr-defined]
 
 
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
+Kind = TypeVar("Kind", bound=Part)
 
 
-class Range(_Part):
-    """Where a parameter is looked for, in the law's own units; log: by its logarithm."""
-
-    low: float
-    high: float
-    log: bool = False
-    start: float | None = None
-
-    @model_validator(mode="after")
-    def _sane(self) -> "Range":
-        if not self.low < self.high:
-            raise ValueError(f"low ({self.low:g}) must lie below high ({self.high:g})")
-        if self.log and self.low <= 0.0:
-            raise ValueError(f"a logarithmic range begins above 0, found {self.low:g}")
-        if self.start is not None and not self.low <= self.start <= self.high:
-            raise ValueError(f"start ({self.start:g}) lies outside {self.low:g} to {self.high:g}")
-        return self
-
-
-class StudyFile(_Part):
+class StudyFile(Part):
     """stiffnesses: N/mm. latencies: ms. force: N. approach, push: mm/s.
 
     objective: weight of the logarithm of each figure (SI, as in the table), averaged over the grid;
@@ -53,17 +34,22 @@ class StudyFile(_Part):
     approach: float = Field(default=4.0, gt=0)
     push: float = Field(default=16.0, gt=0)
     objective: dict[Figure, float]
-    floor: dict[Figure, float] = {}
-    constraints: dict[Figure | Literal["unstable"], float] = {"unstable": 0.0}
-    fixed: dict[str, float | bool] = {}
+    floor: dict[Figure, float] = Field(default_factory=dict)
+    constraints: dict[Figure | Literal["unstable"], float] = Field(default={"unstable": 0.0})
+    fixed: dict[str, float | bool] = Field(default_factory=dict)
     parameters: dict[str, Range] = Field(min_length=1)
 
 
 def load(path: Path) -> StudyFile:
-    """The study in a YAML file; TuningError says in one line what is wrong."""
+    """The study of a force law in a YAML file; TuningError says in one line what is wrong."""
+    return read(path, StudyFile)
+
+
+def read(path: Path, kind: type[Kind]) -> Kind:
+    """A study of this kind in a YAML file; TuningError says in one line what is wrong."""
     try:
         content = yaml.safe_load(path.read_text(encoding="utf-8"))
-        return StudyFile.model_validate(content)
+        return kind.model_validate(content)
     except OSError as error:
         raise TuningError(f"{path}: cannot be read: {error.strerror}") from None
     except (yaml.YAMLError, UnicodeDecodeError) as error:

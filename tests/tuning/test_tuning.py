@@ -6,7 +6,7 @@ from optuna.trial import create_trial
 
 from hil.experiments.force_tracking.presets import preset
 from hil.tuning.errors import TuningError
-from hil.tuning.objective import UNSTABLE, worth
+from hil.tuning.objective import UNSTABLE, purpose, worth
 from hil.tuning.preset_file import write
 from hil.tuning.search import best, search
 from hil.tuning.study_file import StudyFile, load, nested
@@ -31,22 +31,22 @@ def ignore(_):
 
 
 def test_a_search_improves_on_its_start(study, rig, tmp_path):
-    found = search(study, rig, tmp_path / "j", trials=8, seed=1, tell=ignore)
+    found = search(purpose(study, rig), tmp_path / "j", trials=8, seed=1, tell=ignore)
     assert found.value < worth(study, rig, {"damping": 4000.0}).cost
 
 
 def test_a_resumed_search_computes_only_what_is_left(study, rig, tmp_path):
     told = []
-    search(study, rig, tmp_path / "j", trials=3, seed=1, tell=told.append)
-    search(study, rig, tmp_path / "j", trials=4, seed=1, tell=told.append)
+    search(purpose(study, rig), tmp_path / "j", trials=3, seed=1, tell=told.append)
+    search(purpose(study, rig), tmp_path / "j", trials=4, seed=1, tell=told.append)
     assert [trial.number for trial in told] == [0, 1, 2, 3]
 
 
 def test_a_journal_of_another_study_is_refused(study, rig, tmp_path):
-    search(study, rig, tmp_path / "j", trials=1, seed=1, tell=ignore)
+    search(purpose(study, rig), tmp_path / "j", trials=1, seed=1, tell=ignore)
     other = study.model_copy(update={"force": 5.0})
     with pytest.raises(TuningError, match="another study"):
-        search(other, rig, tmp_path / "j", trials=2, seed=1, tell=ignore)
+        search(purpose(other, rig), tmp_path / "j", trials=2, seed=1, tell=ignore)
 
 
 def test_an_unstable_set_costs_more_than_a_stable_one_and_breaks_the_constraint(study, rig):

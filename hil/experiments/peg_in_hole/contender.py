@@ -21,8 +21,8 @@ PAPERS = ("ql", "double-ql", "wdql-alone", "dql", "ac", "pg", "ppo")
 
 
 class Contender(NamedTuple):
-    """agents: of `wdql` and of the shared tables; 0 for a learner that has none. changes: of its
-    parameters, by name.
+    """agents: of `wdql` and of the shared tables; 0 for the learner's own number, or none. changes:
+    of its parameters, by name; more than one are called tuned.
     """
 
     learner: str
@@ -31,6 +31,8 @@ class Contender(NamedTuple):
 
     @property
     def label(self) -> str:
+        if len(self.changes) > 1:
+            return f"{self.learner} tuned"
         count = f" n={self.agents}" if self.agents else ""
         return self.learner + count + "".join(f", {name} {value}" for name, value in self.changes)
 
@@ -52,6 +54,14 @@ def contenders(names: tuple[str, ...], agents: tuple[int, ...]) -> tuple[Contend
     return tuple(dict.fromkeys(found))
 
 
+def tuned(sets: Mapping[str, Mapping[str, Value]]) -> tuple[Contender, ...]:
+    """Each learner with the parameters of a file; LearnerError for a name or value it refuses."""
+    for name, values in sets.items():
+        maker(name, values)
+    # The number of agents is a parameter of the set, if it names one at all.
+    return tuple(Contender(name, 0, tuple(values.items())) for name, values in sets.items())
+
+
 def _check(name: str) -> None:
     try:
         maker(name)
@@ -71,7 +81,8 @@ def _paper(contender: Contender, gamma: float) -> dict[str, Value]:
     """What the world sets in the paper's own methods; the others keep their numbers."""
     name, agents, _ = contender
     if name == "wdql":
-        return {"tabular.gamma": gamma, "agents": agents}
+        count: dict[str, Value] = {"agents": agents} if agents else {}
+        return {"tabular.gamma": gamma, **count}
     return {"gamma": gamma} if name in PAPERS else {}
 
 
