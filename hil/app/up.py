@@ -52,11 +52,18 @@ Tell = Callable[[Status], None]
 """Told how the cell is doing: at SIGUSR1, and when it has stopped."""
 
 
-def up(rig: Rig, seed: int, clock: str, announce: Announce, tell: Tell) -> None:
-    """Open the doors, announce them, run until SIGINT or SIGTERM; raises DoorError."""
+def up(
+    rig: Rig, seed: int, clock: str, announce: Announce, tell: Tell, *, powered: bool = False
+) -> None:
+    """Open the doors, announce them, run until SIGINT or SIGTERM; raises DoorError.
+
+    powered: the arm releases its brakes by itself.
+    """
     from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
 
     with _signals() as came, serve(rig, seed, across_processes=True) as cell, open_desk() as desk:
+        if powered:
+            cell.power_up()
         announce(cell.doors, cell.describe())
         pacer = schedule(cell, clock)
 

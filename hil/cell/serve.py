@@ -5,6 +5,7 @@ from typing import NamedTuple, Self
 
 from drivers.protocol.bus_address import BusAddress
 from drivers.protocol.frame import CanFrame
+from hil.cell.arm.modes import Event
 from hil.cell.arm.server import UrServer
 from hil.cell.bench import Bench
 from hil.cell.clock import Schedule
@@ -80,6 +81,10 @@ class ServedCell:
     def describe(self) -> str:
         """One line for people: which bus was taken."""
         return self.gateway.describe()
+
+    def power_up(self) -> None:
+        """Power on and release the brakes, as somebody at the pendant would."""
+        self.bench.arm.box.post(Event.BRAKE_RELEASE)
 
     def traffic(self) -> Traffic:
         """Who is there, and what the cell did not go along with."""

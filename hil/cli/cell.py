@@ -36,6 +36,9 @@ HostOption: TypeAlias = Annotated[
     str | None, typer.Option(help="Loopback address to serve on; the rig's host unless given.")
 ]
 
+PoweredOption: TypeAlias = Annotated[
+    bool, typer.Option("--powered", help="Start the arm with power and its brakes released.")
+]
 StatusOption: TypeAlias = Annotated[
     bool, typer.Option("--status", help="Ask the rig's running cell how it is doing; serve none.")
 ]
@@ -88,6 +91,7 @@ def up(
     clock: UpClock = Clock.WALL,
     seed: Seed = None,
     host: HostOption = None,
+    powered: PoweredOption = False,
     status: StatusOption = False,
     json: Json = False,
 ) -> int:
@@ -100,4 +104,4 @@ def up(
 
     if status:
         return inquire(rig, host, json=json)
-    return serve(rig, seed, clock.value, host, json=json)
+    return serve(rig, seed, clock.value, host, powered=powered, json=json)

@@ -1,6 +1,7 @@
 """`hil up`: says where the cell can be reached, serves it, says how it kept time."""
 
 from ipaddress import ip_address
+from typing import Final
 
 import typer
 
@@ -12,8 +13,16 @@ from hil.cell.serve import Doors
 from hil.cli.shipped import read
 from hil.view.tables import as_json, of_facts, of_lateness
 
+POWERED: Final = "the arm releases its brakes now"
+UNPOWERED: Final = (
+    'the arm has no power yet: "power on" and "brake release" on the dashboard, or start with '
+    "--powered"
+)
 
-def serve(rig: str, seed: int | None, clock: str, host: str | None, *, json: bool) -> int:
+
+def serve(  # one for each option
+    rig: str, seed: int | None, clock: str, host: str | None, *, powered: bool, json: bool
+) -> int:
     """Serve until SIGINT or SIGTERM; the exit status."""
     found = _found(rig, host)
 
@@ -23,9 +32,11 @@ def serve(rig: str, seed: int | None, clock: str, host: str | None, *, json: boo
             typer.echo(as_json({"rig": found.name, "clock": clock, **where}).strip())
         else:
             typer.echo(of_facts({"emulated cell": found.name, "clock": clock, **where}), nl=False)
-            typer.echo(f"{bus}; Ctrl-C ends it")
+            typer.echo(bus)
+            typer.echo(f"{POWERED if powered else UNPOWERED}; Ctrl-C ends it")
 
-    up(found, found.seed if seed is None else seed, clock, announce, lambda s: _tell(s, json=json))
+    drawn = found.seed if seed is None else seed
+    up(found, drawn, clock, announce, lambda s: _tell(s, json=json), powered=powered)
     return 0
 
 

@@ -54,6 +54,21 @@ def test_a_driver_is_served_and_the_ports_are_free_afterwards(begin, rig, number
         socket.create_server((doors["host"], doors[door])).close()
 
 
+def test_an_arm_is_powered_by_its_client_or_from_the_start(begin, rig):
+    for option, mode in (((), "POWER_OFF"), (("--powered",), "RUNNING")):
+        child = begin("up", rig, "--json", *option)
+        doors = served(child)
+        with socket.create_connection((doors["host"], doors["dashboard"])) as dashboard:
+            lines = dashboard.makefile("rb")
+            assert lines.readline().startswith(b"Connected")
+            said = ""
+            while mode not in said:
+                dashboard.sendall(b"robotmode\n")
+                said = lines.readline().decode()
+        child.send_signal(signal.SIGINT)
+        child.communicate(timeout=60)
+
+
 def test_a_second_cell_on_the_same_ports_is_one_line_with_the_way_out(begin, hil, rig):
     first = begin("up", rig, "--json")
     served(first)
