@@ -97,7 +97,7 @@ class UrArm:
 
     def connect(self) -> ArmState:
         """Power, brakes, program: to where the arm follows set-points; raises DriverError."""
-        self._drop()
+        self.abandon()
         return self._bring_up(lambda: None)
 
     def recover(self) -> ArmState:
@@ -112,7 +112,7 @@ class UrArm:
         # A link that dies here is no loss: the program's own watchdog stops the arm.
         with suppress(DriverError):
             end_program(self._exchange)
-        self._drop()
+        self.abandon()
 
     def read(self) -> ArmState:
         """Block for the next package and return the newest one.
@@ -163,7 +163,7 @@ class UrArm:
             sample = start_program(self._exchange, self._upload, self._sequence)
             self._send(Command.HOLD, self._actual)
         except BaseException:
-            self._drop()
+            self.abandon()
             raise
         self._script.close()
         return sample.state(self._t)
@@ -185,7 +185,8 @@ class UrArm:
     def _upload(self) -> None:
         self._script.upload(self._program.text(NS // self.period))
 
-    def _drop(self) -> None:
+    def abandon(self) -> None:
+        """Cut the links without a word, as a killed process does; the robot's watchdogs act."""
         self._script.close()
         self._dashboard.close()
         self._rtde.close()

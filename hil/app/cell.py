@@ -4,16 +4,18 @@ from typing import NamedTuple, Protocol, Self
 
 from hil.app.tap import Entry
 from hil.cell.clock import Lateness
+from hil.cell.faults.log import FaultEvent
 from hil.cell.plant.interface import PlantStep
 from hil.cell.serve import Doors
 
 
 class CellReport(NamedTuple):
-    """What a cell says when it has stopped. lateness: None in lockstep."""
+    """What a cell says when it has stopped. lateness: None in lockstep. faults: its own ones."""
 
     periods: int
     lateness: Lateness | None
     log: tuple[tuple[int, str], ...]
+    faults: tuple[FaultEvent, ...] = ()
 
 
 class RunningCell(Protocol):
@@ -36,6 +38,16 @@ class RunningCell(Protocol):
 
     def take(self) -> list[Entry]:
         """Records made since the last call; a cell in its own process gives them once stopped."""
+        ...
+
+    def note(self, phase: str, episode: int) -> None:
+        """Where the job stands, before the command that lets a period pass; CellError for a cell
+        without faults, which need not know.
+        """
+        ...
+
+    def leave(self, duration: int) -> None:
+        """The host is not there for so long, ns: in lockstep the cell goes on without it."""
         ...
 
     def stop(self) -> CellReport:

@@ -5,11 +5,13 @@ from threading import Event, Thread
 from typing import Self
 
 from hil.app.cell import CellReport
+from hil.app.faulty import Teller, failing, served
 from hil.app.pacing import pace
 from hil.app.tap import Entry, entries, ignore
+from hil.cell.faults.schedule import Numbered
 from hil.cell.plant.interface import PlantStep
 from hil.cell.rig import Rig
-from hil.cell.serve import Doors, Observer, ServedCell, Tick
+from hil.cell.serve import Doors, Observer, Tick
 
 
 class InlineCell:
@@ -28,13 +30,15 @@ class InlineCell:
         *,
         record: bool = True,
         observe: Observer | None = None,
+        faults: Numbered | None = None,
     ) -> None:
-        from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
-
-        self.served: ServedCell = serve(rig, seed, across_processes=False)
+        """faults: the cell's own ones; None is a sound cell, () one that can be told of the job."""
+        self.served = served(rig, seed, faults, across_processes=False)
         self._clock = clock
         self._ticks: deque[Tick] = deque()
-        self._observe = observe or (self._ticks.append if record else ignore)
+        self._told: deque[Entry] = deque()
+        self._teller = None if faults is None else Teller(self.served)
+        self._observe = observe or (self._observer() if record else ignore)
         self._stopped = Event()
         self._failure: BaseException | None = None
         self._report: CellReport | None = None
@@ -52,10 +56,19 @@ class InlineCell:
         """The plant at the end of the last period."""
         return self.served.bench.truth
 
+    def note(self, phase: str, episode: int) -> None:
+        """Where the job stands, before the command that lets a period pass."""
+        failing(self.served).note(phase, episode)
+
+    def leave(self, duration: int) -> None:
+        """The host is not there for so long, ns."""
+        failing(self.served).leave(duration)
+
     def take(self) -> list[Entry]:
         """Records made since the last call, oldest first; packed here, not in the cell's thread."""
         ticks = [self._ticks.popleft() for _ in range(len(self._ticks))]
-        return [entry for tick in ticks for entry in entries(tick)]
+        told = [self._told.popleft() for _ in range(len(self._told))]
+        return [entry for tick in ticks for entry in entries(tick)] + told
 
     def coast(self, periods: int) -> None:
         """Let so many periods pass with nobody's command; the clock of the cell's own then stands.
@@ -81,6 +94,17 @@ class InlineCell:
         except BaseException as error:
             self._failure = error
             self.served.close()  # so that whoever waits on a wire learns of it
+
+    def _observer(self) -> Observer:
+        teller = self._teller
+        if teller is None:
+            return self._ticks.append
+
+        def observe(tick: Tick) -> None:
+            self._ticks.append(tick)
+            self._told.extend(teller(tick.t))
+
+        return observe
 
     def __enter__(self) -> Self:
         self._thread.start()

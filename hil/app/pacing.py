@@ -1,6 +1,7 @@
 """Runs a served cell by the clock that was asked for."""
 
 from hil.app.cell import CellReport
+from hil.app.faulty import events
 from hil.cell.arm.urscript.parse import parse
 from hil.cell.clock import Schedule
 from hil.cell.serve import Observer, ServedCell, Stopped
@@ -29,4 +30,4 @@ def keep(
     else:
         cell.wall(stopped, observe, schedule)
     lateness = None if schedule is None else schedule.lateness()
-    return CellReport(cell.bench.t // cell.bench.period, lateness, cell.bench.arm.log)
+    return CellReport(cell.bench.t // cell.bench.period, lateness, cell.bench.arm.log, events(cell))

@@ -8,8 +8,11 @@ from multiprocessing.connection import Connection
 from typing import Self
 
 from hil.app.cell import CellReport
+from hil.app.faulty import Teller, failing, served
 from hil.app.tap import Entry, entries, ignore
 from hil.cell.errors import CellError
+from hil.cell.faults.schedule import Numbered
+from hil.cell.injection.cell import InjectedCell
 from hil.cell.plant.interface import PlantStep
 from hil.cell.rig import Rig
 from hil.cell.serve import Doors, Tick
@@ -23,10 +26,21 @@ class CellProcess:
 
     live = False
 
-    def __init__(self, rig: Rig, seed: int, clock: str, *, record: bool = True) -> None:
+    def __init__(
+        self,
+        rig: Rig,
+        seed: int,
+        clock: str,
+        *,
+        record: bool = True,
+        faults: Numbered | None = None,
+    ) -> None:
+        """faults: those of the cell itself; none is a sound one."""
         context = get_context("spawn")
         self._pipe, theirs = context.Pipe()
-        self._child = context.Process(target=_serve, args=(theirs, rig, seed, clock, record))
+        self._child = context.Process(
+            target=_serve, args=(theirs, rig, seed, clock, record, faults)
+        )
         with uninterrupted():
             self._child.start()
         theirs.close()
@@ -59,6 +73,20 @@ class CellProcess:
         """Not to be had: the truth stays in the cell's process until it stops."""
         raise CellError("the plant's truth is at hand only with the cell in this process")
 
+    def note(self, phase: str, episode: int) -> None:
+        """Told before the command; the cell looks here before it takes one, so a run repeats."""
+        self._tell("note", phase, episode)
+
+    def leave(self, duration: int) -> None:
+        """The host is not there for so long, ns."""
+        self._tell("leave", duration)
+
+    def _tell(self, *word: object) -> None:
+        try:
+            self._pipe.send(word)
+        except OSError:
+            raise CellError("the cell's process died") from None
+
     def take(self) -> list[Entry]:
         """Nothing before `stop`; then all records, oldest first."""
         taken, self._entries = self._entries, []
@@ -67,7 +95,7 @@ class CellProcess:
     def stop(self) -> CellReport:
         """Stop the process; raises what the cell died of, if it did."""
         try:
-            self._pipe.send("stop")
+            self._pipe.send(("stop",))
             word = self._pipe.recv()
         except (EOFError, OSError):
             self._end()
@@ -94,17 +122,20 @@ class CellProcess:
             self._end()
 
 
-def _serve(pipe: Connection, rig: Rig, seed: int, clock: str, record: bool) -> None:
+def _serve(  # noqa: PLR0917  a process's arguments are positional
+    pipe: Connection, rig: Rig, seed: int, clock: str, record: bool, faults: Numbered | None
+) -> None:
     """The child's main: serve until told to stop or until the parent is gone."""
     from hil.app.pacing import pace  # noqa: PLC0415  MuJoCo loads only with a cell
-    from hil.cell.assemble import serve  # noqa: PLC0415
 
     kept: list[Entry] = []
     try:
-        with serve(rig, seed, across_processes=True) as cell:
+        with served(rig, seed, faults, across_processes=True) as cell:
             pipe.send((cell.doors, cell.describe()))
-            observe = _keeper(kept) if record else ignore
-            report = pace(cell, clock, pipe.poll, observe)
+            teller = None if faults is None else Teller(cell)
+            observe = _keeper(kept, teller) if record else ignore
+            stopped = pipe.poll if faults is None else _Ear(pipe, failing(cell)).stopped
+            report = pace(cell, clock, stopped, observe)
         word: object = (report, kept)
     except Exception as error:
         word = error
@@ -123,5 +154,28 @@ def uninterrupted() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _keeper(kept: list[Entry]) -> Callable[[Tick], None]:
-    return lambda tick: kept.extend(entries(tick))
+class _Ear:
+    """Does what the parent tells a failing cell; remembers that it was told to stop."""
+
+    def __init__(self, pipe: Connection, cell: InjectedCell) -> None:
+        self._pipe, self._stop = pipe, False
+        self._do: dict[str, Callable[..., None]] = {"note": cell.note, "leave": cell.leave}
+        cell.listen(self.hear)
+
+    def stopped(self) -> bool:
+        self.hear()
+        return self._stop
+
+    def hear(self) -> None:
+        while not self._stop and self._pipe.poll():
+            word, *arguments = self._pipe.recv()
+            if word == "stop":
+                self._stop = True
+            else:
+                self._do[word](*arguments)
+
+
+def _keeper(kept: list[Entry], teller: Teller | None) -> Callable[[Tick], None]:
+    if teller is None:
+        return lambda tick: kept.extend(entries(tick))
+    return lambda tick: kept.extend([*entries(tick), *teller(tick.t)])

@@ -50,6 +50,14 @@ class RealCell:
         """Nothing: what happened inside is not ours to see."""
         return []
 
+    def note(self, phase: str, episode: int) -> None:
+        """Faults are for emulated cells."""
+        raise CellError("a real cell cannot be told to fail")
+
+    def leave(self, duration: int) -> None:
+        """Nothing here can be emulated."""
+        raise CellError("a real cell cannot be told to fail")
+
     def stop(self) -> CellReport:
         """Leaves the devices alone; the drivers have stopped the arm."""
         return CellReport(0, None, ())

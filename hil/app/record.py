@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from importlib.resources import files
+from typing import Protocol
 
 from controller.course import Course
 from controller.cycle import Cycle
@@ -12,12 +13,12 @@ from drivers.protocol.rtde_variables import INPUTS, OUTPUTS, Variable
 from drivers.ur.sample import INPUTS as ARM_INPUTS
 from drivers.ur.sample import OUTPUTS as ARM_OUTPUTS
 from hil.app.cell import RunningCell
+from hil.cell.faults.log import FaultEvent
 from hil.recording.channel import Channel
 from hil.recording.channels import control, deadline, event, wrench
 from hil.recording.channels.event import EventKind
 from hil.recording.channels.rtde import RecipeNames
 from hil.recording.identity import Identity
-from hil.recording.recorder import Recorder
 
 
 def identity(name: str, text: bytes, seed: int, settings: Mapping[str, str]) -> Identity:
@@ -42,12 +43,17 @@ BATCH = 32
 period singly, 20 in batches)."""
 
 
+class Sink(Protocol):
+    """The control loop's end of a recorder."""
+
+    def put(self, channel: Channel, t: int, payload: bytes) -> None: ...
+    def settle(self, t: int) -> None: ...
+
+
 class RunRecord:
     """Feeds one recorder from both sides of the wire, all in the loop's thread."""
 
-    def __init__(
-        self, recorder: Recorder, cell: RunningCell, frame: TaskFrame, period: int
-    ) -> None:
+    def __init__(self, recorder: Sink, cell: RunningCell, frame: TaskFrame, period: int) -> None:
         self._recorder, self._cell, self._frame, self._period = recorder, cell, frame, period
         self._pending: list[tuple[Cycle, Place, str, int]] = []
         self._t: int | None = None
@@ -87,6 +93,10 @@ class RunRecord:
         put = self._recorder.put
         for t, channel, payload in self._cell.take():
             put(channel, t, payload)
+
+    def fault(self, found: FaultEvent) -> None:
+        """A fault of this side, at the last cycle's time."""
+        self._recorder.put(Channel.EVENT, self._t or 0, event.encode(EventKind.FAULT, str(found)))
 
     def end(self, outcome: Outcome) -> None:
         """How it ended, at the last cycle's time."""

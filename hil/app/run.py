@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from time import perf_counter
@@ -18,13 +18,17 @@ from controller.settings import Plan
 from controller.start import bring_up
 from drivers.interfaces import SensorHealth
 from hil.app.cell import CellReport, RunningCell
+from hil.app.host_faults import FullDisk, HostFaults, split
 from hil.app.inline import InlineCell
+from hil.app.learner_faults import FaultyPolicy
 from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
 from hil.app.policy import policy
 from hil.app.process import CellProcess
 from hil.app.real import RealCell
 from hil.app.record import RunRecord, identity
 from hil.app.undisturbed import undisturbed
+from hil.cell.faults.log import FaultEvent
+from hil.cell.faults.schedule import Numbered, Schedule
 from hil.cell.rig import Rig
 from hil.recording.recorder import Recorder
 
@@ -41,6 +45,7 @@ class Request:
 
     layout: `inline` or `process`, where the cell runs. clock: `lockstep` or `wall`.
     out: folder of the recording, None for none. alone: no other run shares this machine.
+    faults: None is a sound run.
     """
 
     rig: Rig
@@ -53,6 +58,7 @@ class Request:
     out: Path | None = None
     overwrite: bool = False
     alone: bool = False
+    faults: Schedule | None = None
 
     @property
     def takes_turns(self) -> bool:
@@ -63,7 +69,7 @@ class Request:
 @dataclass(frozen=True, slots=True)
 class Result:
     """How a run went. bench, wall: seconds of either clock in the control loop; digest: SHA-256 of
-    the recording, None without one.
+    the recording, None without one. faults: what became of them, in order.
     """
 
     outcome: Outcome
@@ -73,19 +79,20 @@ class Result:
     cell: CellReport
     description: str
     digest: str | None
+    faults: tuple[FaultEvent, ...] = ()
 
     @property
     def real_time_factor(self) -> float:
         return self.bench / self.wall if self.wall > 0 else 0.0
 
 
-def open_cell(request: Request) -> RunningCell:
+def open_cell(request: Request, faults: Numbered | None = None) -> RunningCell:
     """The cell of a request with its doors open, or the rig's real one; raises DoorError."""
     if request.rig.rig == "real":
         return RealCell(request.rig, request.clock)
     kind = CellProcess if request.layout == "process" else InlineCell
     record = request.out is not None
-    return kind(request.rig, request.seed, request.clock, record=record)
+    return kind(request.rig, request.seed, request.clock, record=record, faults=faults)
 
 
 def run(request: Request, watch: Watch) -> Result:
@@ -98,20 +105,28 @@ def run(request: Request, watch: Watch) -> Result:
     with ExitStack() as stack:
         recorder = _recorder(request, stack)
         stack.enter_context(undisturbed(wanted=request.takes_turns))
-        cell = stack.enter_context(open_cell(request))
+        far, host = _faults(request, stack)
+        cell = stack.enter_context(open_cell(request, far))
         frame, period = task_frame(request.rig), request.rig.robot.period
-        record = RunRecord(recorder, cell, frame, period) if recorder else None
+        sink = FullDisk(recorder, host) if recorder and host else recorder
+        record = RunRecord(sink, cell, frame, period) if sink else None
         if record is not None:
             stack.callback(record.flush)
         tap = record.rtde if record else None
         near = stack.enter_context(near_side(request.rig, cell.doors, tap))
         chosen = policy(request.policy, plan, request.seed, cell)
+        seen = partial(_watch, watch, cell)
+        if host is not None:
+            chosen = FaultyPolicy(chosen, host)
+            seen = partial(_attend, host, record, near, watch, cell)
         bring_up(near.arm, near.sensor)
-        drive = _Drive(near, plan, chosen, record, partial(_watch, watch, cell))
+        drive = _Drive(near, plan, chosen, record, seen)
         outcome = Loop(near.arm, near.sensor, frame, observe=drive.observe).run(
             drive.job, limits(request.rig)
         )
-        return _close(drive, outcome, cell, recorder)
+        result = _close(drive, outcome, cell, recorder)
+        mine = host.events if host is not None else ()
+        return replace(result, faults=tuple(sorted(result.cell.faults + mine, key=_moment)))
 
 
 def _recorder(request: Request, stack: ExitStack) -> Recorder | None:
@@ -124,6 +139,37 @@ def _recorder(request: Request, stack: ExitStack) -> Recorder | None:
     recorder.open()
     stack.callback(recorder.abandon)
     return recorder
+
+
+def _faults(request: Request, stack: ExitStack) -> tuple[Numbered | None, HostFaults | None]:
+    """The cell's faults and those of this process; FaultError for one without a place."""
+    if request.faults is None:
+        return None, None
+    faults = request.faults.numbered(request.seed)
+    far, near = split(faults, request.rig, recorded=request.out is not None)
+    period = request.rig.robot.period
+    return far, stack.enter_context(HostFaults(near, request.seed, period, request.clock))
+
+
+def _moment(event: FaultEvent) -> int:
+    return event.t
+
+
+def _attend(  # noqa: PLR0917  the last two are the loop's
+    host: HostFaults,
+    record: RunRecord | None,
+    near: NearSide,
+    watch: Watch,
+    cell: RunningCell,
+    cycle: Cycle,
+    course: Course,
+) -> None:
+    """Faults of this process first, for the watcher sees what came of them."""
+    host.attend(cycle, course, cell, near.arm)
+    if record is not None:
+        for event in host.news():
+            record.fault(event)
+    watch(cycle, course, cell)
 
 
 def _watch(watch: Watch, cell: RunningCell, cycle: Cycle, course: Course) -> None:

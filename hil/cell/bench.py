@@ -13,7 +13,7 @@ the last one, as in the real cell.
 """
 
 from math import remainder, tau
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict
 
 from drivers.protocol.frame import CanFrame
 from hil.cell.arm.controller import ArmController
@@ -41,6 +41,18 @@ class _Begun(NamedTuple):
     wanted: Pose
     stage: Stage
     moved: PlantStep
+
+
+class Parts(TypedDict):
+    """What a bench joins. period: of control, ns."""
+
+    arm: ArmController
+    plant: Plant
+    node: SensorNode
+    geometry: TaskGeometry
+    tool: Tool
+    bus: CanLinks
+    period: int
 
 
 class Bench:

@@ -17,6 +17,10 @@ WAKE = 0.05
 """How long, in wall seconds, a wait for commands lasts before the stop flag is looked at."""
 
 
+LOST = 2_000_000_000
+"""Bench time, ns, after which a cell in lockstep waits for a client that gets nothing: longer than
+any watchdog of the robot's, and the same in every run."""
+
 COARSE = 2_000_000
 """Shortest wait, ns, that is left to epoll, whose time-outs are whole milliseconds, rounded up."""
 NAP = 200_000
@@ -120,7 +124,11 @@ class ServedCell:
             self._send(self.bench.t, observe)
 
     def _until_answerable(self, observe: Observer) -> int:
-        """Tick until a package reaches a client; the bench time at which it does, ns."""
+        """Tick until a package reaches a client; the bench time at which it does, ns.
+
+        A client that hears nothing for so long will not answer, however long the cell goes on.
+        """
+        given_up = self.bench.t + LOST
         while True:
             self._tick()
             t = self.bench.t
@@ -128,7 +136,7 @@ class ServedCell:
             answerable = due is None or due < t + self.bench.period
             edge = t if due is None or not answerable else max(t, due)
             self._send(edge, observe)
-            if answerable:
+            if answerable or t >= given_up:
                 return edge
 
     def wall(self, stopped: Stopped, observe: Observer, schedule: Schedule) -> None:

@@ -1,5 +1,6 @@
 """Runs an assembly for a person or a program: progress, table or JSON, exit status."""
 
+from dataclasses import asdict
 from pathlib import Path
 
 import typer
@@ -9,6 +10,7 @@ from controller.cycle import Cycle
 from controller.outcome import Kind
 from hil.app.cell import RunningCell
 from hil.app.run import Request, Result, Watch, run
+from hil.cell.faults.log import FaultEvent, idle
 from hil.cli.errors import FAILED
 from hil.recording.read import load
 from hil.recording.summary import summarise
@@ -39,8 +41,16 @@ def report(result: Result, out: Path, *, json: bool) -> int:
     else:
         typer.echo(of_run(summarise(load(out))), nl=False)
         typer.echo(of_facts(_speed(result)), nl=False)
+        typer.echo(_events(result.faults), nl=False)
         typer.echo(f"{out / 'run.mcap'}\nsha256 {result.digest}")
-    return 0 if result.outcome.kind is Kind.INSERTED else FAILED
+    if unfelt := idle(result.faults):
+        kinds = ", ".join(kind for _, kind in unfelt)
+        typer.echo(f"hil: vacuous: {kinds} armed but never active; nothing is proven", err=True)
+    return 0 if result.outcome.kind is Kind.INSERTED and not unfelt else FAILED
+
+
+def _events(faults: tuple[FaultEvent, ...]) -> str:
+    return "".join(f"{event.t * 1e-9:9.3f} s  {event}\n" for event in faults)
 
 
 def figures(result: Result, out: Path) -> dict[str, object]:
@@ -60,6 +70,7 @@ def figures(result: Result, out: Path) -> dict[str, object]:
         "cell": result.description,
         "sensor": result.health._asdict(),
         "lateness_ns": None if lateness is None else lateness._asdict(),
+        "faults": [asdict(event) for event in result.faults],
         "recording": str(out / "run.mcap"),
         "sha256": result.digest,
     }

@@ -39,6 +39,12 @@ HostOption: TypeAlias = Annotated[
 PoweredOption: TypeAlias = Annotated[
     bool, typer.Option("--powered", help="Start the arm with power and its brakes released.")
 ]
+
+FaultsOption: TypeAlias = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="What fails, and when (`hil faults list`, docs/faults.md)."),
+]
+
 StatusOption: TypeAlias = Annotated[
     bool, typer.Option("--status", help="Ask the rig's running cell how it is doing; serve none.")
 ]
@@ -66,6 +72,7 @@ def run(
     part: PartOption = None,
     rig_ports: RigPorts = False,
     dry_run: DryRun = False,
+    faults: FaultsOption = None,
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> int:
@@ -74,7 +81,7 @@ def run(
     from hil.cli.request import Choice, asked, plan_of, rig_of  # noqa: PLC0415
     from hil.view.tables import as_json, of_facts  # noqa: PLC0415
 
-    choice = Choice(seed, cell, clock, policy, part, rig_ports)
+    choice = Choice(seed, cell, clock, policy, part, rig_ports, faults)
     request = asked(*rig_of(rig, choice), choice)
     if dry_run or request.rig.rig == "real":
         intent = plan_of(request)

@@ -2,7 +2,7 @@
 
 import typer
 
-from hil.cli import bench, campaign, cell, doctor, experiment, recordings, rig, tune
+from hil.cli import bench, campaign, cell, doctor, experiment, faults, recordings, rig, tune
 
 
 def build() -> typer.Typer:
@@ -23,6 +23,7 @@ def build() -> typer.Typer:
     app.command()(bench.bench)
     app.command()(doctor.doctor)
     app.add_typer(rig.build(), name="rig")
+    app.add_typer(faults.build(), name="faults")
     app.add_typer(experiment.build(), name="experiment")
     app.add_typer(campaign.build(), name="campaign")
     app.add_typer(tune.build(), name="tune")

@@ -1,5 +1,6 @@
 """From the options of `hil run` to the run they ask for, and what it would do."""
 
+from pathlib import Path
 from typing import NamedTuple
 
 import typer
@@ -7,7 +8,10 @@ import typer
 from hil.app.near import part_named
 from hil.app.real import doors
 from hil.app.run import Request
-from hil.cell.errors import RigError
+from hil.cell.errors import FaultError, RigError
+from hil.cell.faults.parse import load
+from hil.cell.faults.schedule import Schedule
+from hil.cell.injection.places import OF_A_RUN, check
 from hil.cell.rig import Rig
 from hil.cli.options import Clock, Layout, PolicyName
 from hil.cli.shipped import read
@@ -22,6 +26,7 @@ class Choice(NamedTuple):
     policy: PolicyName
     part: str | None
     rig_ports: bool
+    faults: Path | None = None
 
 
 def rig_of(name: str, choice: Choice) -> tuple[Rig, bytes]:
@@ -54,7 +59,18 @@ def asked(rig: Rig, text: bytes, choice: Choice) -> Request:
         layout=choice.layout.value,
         clock=choice.clock.value if choice.clock else rig.clock,
         alone=True,
+        faults=None if choice.faults is None else scheduled(choice.faults, rig),
     )
+
+
+def scheduled(file: Path, rig: Rig) -> Schedule:
+    """The faults in a file; FaultError for one that an assembly on this rig has no place for."""
+    schedule = load(file)
+    try:
+        check(tuple(enumerate(schedule.faults)), rig, OF_A_RUN)
+    except FaultError as error:
+        raise FaultError(f"{file}: {error}") from None
+    return schedule
 
 
 def plan_of(request: Request) -> dict[str, str | int | float | None]:

@@ -2,12 +2,16 @@
 
 import pytest
 
-from hil.cell.faults.injector import injector
+from hil.cell.faults.injector import Injector
 from hil.cell.faults.log import Stage, idle
 from hil.cell.faults.parse import schedule
 from hil.cell.faults.situation import Situation
 
 PERIOD = 8_000_000
+
+
+def injector(schedule, seed, period):
+    return Injector(schedule.numbered(seed), seed, period)
 
 
 def situation(cycle, **about):

@@ -81,6 +81,10 @@ class Connection:
         if not data:
             raise Cut(Event.LEFT, "closed by the client")
         self.left -= len(data)
+        self.hear(data, t)
+
+    def hear(self, data: bytes, t: int) -> None:
+        """Let the session take what came, and send what it says to it; raises Cut."""
         try:
             replies = self.session.receive(data, t)
         except WireError as error:

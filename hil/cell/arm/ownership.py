@@ -27,5 +27,9 @@ class Ownership:
             raise ValueError(f"owned by another client: {', '.join(sorted(taken))}")
         self._owners.update(dict.fromkeys(names, client))
 
+    def seize(self, names: Iterable[str], client: int) -> None:
+        """Make `client` the owner, whoever was: what a fieldbus does that is switched on."""
+        self._owners.update(dict.fromkeys(names, client))
+
     def release(self, client: int) -> None:
         self._owners = {n: owner for n, owner in self._owners.items() if owner != client}

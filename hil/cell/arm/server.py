@@ -204,10 +204,20 @@ class UrServer:
                 self._streams.append(connection)
             return connection
         to_cell, from_cell = self._rng.spawn(2)  # a client's delays do not depend on other clients
-        session = RtdeSession(self._arm, self._clients, _delays(self._link.to_cell, to_cell))
-        connection = Connection(door, client, session, _delays(self._link.from_cell, from_cell))
+        connection, session = self._rtde_ends(
+            client,
+            _delays(self._link.to_cell, to_cell),
+            _delays(self._link.from_cell, from_cell),
+        )
         self._rtde.append((connection, session))
         return connection
+
+    def _rtde_ends(
+        self, client: socket.socket, to_cell: Iterator[int], from_cell: Iterator[int]
+    ) -> tuple[Connection, RtdeSession]:
+        """A client's connection and session, with the travel times of either direction, ns."""
+        session = RtdeSession(self._arm, self._clients, to_cell)
+        return Connection("rtde", client, session, from_cell), session
 
     def _session(self, door: str) -> Session:
         if door == "dashboard":

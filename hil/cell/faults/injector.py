@@ -1,12 +1,11 @@
 """One run's faults: told the situation once a period, asked by the places what is in force."""
 
-from collections.abc import Iterable
 from typing import Final
 
 import numpy as np
 
 from hil.cell.faults.log import FaultEvent, Stage
-from hil.cell.faults.schedule import Fault, Schedule
+from hil.cell.faults.schedule import Fault, Numbered
 from hil.cell.faults.situation import Situation
 from hil.cell.faults.trigger import Watch
 from hil.cell.streams import stream
@@ -44,9 +43,7 @@ class Injector:
     seed: of the run. period: ns.
     """
 
-    def __init__(
-        self, faults: Iterable[tuple[int, Fault]], seed: int, period: int, now: int = 0
-    ) -> None:
+    def __init__(self, faults: Numbered, seed: int, period: int) -> None:
         self._seed, self._period = seed, period
         self._faults = dict(faults)
         self._watches = {
@@ -55,7 +52,7 @@ class Injector:
         }
         self._running: list[Running] = []
         self._events = [
-            FaultEvent(now, index, fault.kind, Stage.ARMED, str(fault.trigger))
+            FaultEvent(0, index, fault.kind, Stage.ARMED, str(fault.trigger))
             for index, fault in self._faults.items()
         ]
         self._active: set[str] = set()
@@ -106,9 +103,3 @@ class Injector:
 
     def _note(self, t: int, one: Running, stage: Stage, detail: str) -> None:
         self._events.append(FaultEvent(t, one.index, one.fault.kind, stage, detail))
-
-
-def injector(schedule: Schedule, seed: int, period: int) -> Injector:
-    """The faults of one run of `schedule`, those that it picks drawn from `seed`."""
-    drawn = schedule.drawn(stream(seed, "faults.pick"))
-    return Injector(enumerate(drawn.faults), seed, period)

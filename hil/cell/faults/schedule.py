@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from hil.cell.faults.catalogue import row
 from hil.cell.faults.row import UNITS, Parameter, Row, Value
 from hil.cell.faults.span import Span
 from hil.cell.faults.trigger import AT_ONCE, Trigger
+from hil.cell.streams import stream
 
 _DEFAULTS: Final[Mapping[str, Value]] = MappingProxyType({})
 
@@ -66,6 +67,10 @@ class Fault:
         return f"{self.kind} {self.row.name} ({self.trigger})"
 
 
+Numbered: TypeAlias = tuple[tuple[int, Fault], ...]
+"""Some faults of a run, each with its number in the whole schedule."""
+
+
 @dataclass(frozen=True, slots=True)
 class Schedule:
     """pick: so many of the faults, drawn by the run's seed; None takes all."""
@@ -79,6 +84,10 @@ class Schedule:
             return self
         chosen = sorted(rng.choice(len(self.faults), self.pick, replace=False).tolist())
         return Schedule(tuple(self.faults[index] for index in chosen))
+
+    def numbered(self, seed: int) -> Numbered:
+        """The faults of the run with this seed."""
+        return tuple(enumerate(self.drawn(stream(seed, "faults.pick")).faults))
 
     def written(self) -> dict[str, object]:
         """As a schedule file has it."""

@@ -37,7 +37,7 @@ class AnalyticPlant:
     def __init__(self, rig: Rig, rng: np.random.Generator) -> None:
         self._law = law_of(rig)
         self._pad = rig.pad
-        self._jaws = Jaws(rig, rng)
+        self.jaws = Jaws(rig, rng)
         self._observer = truth.Observer(rig.connector)
         self._q, self._v, self._rest = np.zeros(8), np.zeros(8), np.zeros(4)
         self._feet = np.zeros((2 * POINTS + 1, 3))
@@ -48,7 +48,7 @@ class AnalyticPlant:
     def reset(self, stage: StageTarget) -> PlantStep:
         """Start at rest with open jaws; the step's one wrench is the one at rest."""
         _check(stage)
-        self._jaws.reset()
+        self.jaws.reset()
         self._q[:4] = stage[:4]
         self._v[:] = 0.0
         still = (0.0, 0.0, 0.0)
@@ -59,9 +59,9 @@ class AnalyticPlant:
         """Advance by `duration` ns; raises PlantError when physics breaks."""
         _check(target)
         samples = milliseconds(duration)
-        if self._jaws.move(target.jaws_closed, self._stage(), self._depth):
+        if self.jaws.move(target.jaws_closed, self._stage(), self._depth):
             self._hang()
-        held = self._jaws.grip is not None
+        held = self.jaws.grip is not None
         wrenches = np.empty((samples, 6))
         advance(self._law, self._state, np.array(target[:4]), held, wrenches)
         if held:
@@ -72,7 +72,7 @@ class AnalyticPlant:
         """Put a resting cable into the jaws where the grip says; without a grip, nothing."""
         self._feet[:] = 0.0
         self._slip = STUCK
-        grip = self._jaws.grip
+        grip = self.jaws.grip
         if grip is not None:
             self._rest[:] = grip.x, grip.y, grip.z, grip.theta
             self._q[4:] = tip_of(self._stage(), grip)
@@ -80,7 +80,7 @@ class AnalyticPlant:
 
     def _slide(self) -> None:
         """Slip in the jaws, once a period; the springs' rest carries it."""
-        grip, (x, y, z, theta) = self._jaws.grip, self._stage()
+        grip, (x, y, z, theta) = self.jaws.grip, self._stage()
         if grip is None:
             return
         dx, dy = self._q[4] - x, self._q[5] - y
@@ -96,7 +96,7 @@ class AnalyticPlant:
     def _observe(self, wrenches: Array) -> PlantStep:
         vx, vy, vz, turn = self._v[:4].tolist()
         x, y, z, theta = self._q[4:].tolist()
-        stage, grip = self._stage(), self._jaws.grip
+        stage, grip = self._stage(), self.jaws.grip
         if not isfinite(sum(stage) + x + y + z + theta + vx + vy + vz + turn):
             raise PlantError("the analytic plant left its domain: positions are not finite")
         if grip is None:

@@ -43,7 +43,7 @@ class FfcPlant:
         self._history = WrenchHistory(self.model, self.state, self._stride)
         self._cable = GrippedCable(rig, self.model, self.state)
         self._observer = truth.Observer(rig.connector)
-        self._jaws = Jaws(rig, rng)
+        self.jaws = Jaws(rig, rng)
         self._mating_start = rig.connector.mating_start
         self._warnings = self.state.warning.number
         self._calm = bytes(self._warnings.nbytes)
@@ -54,7 +54,7 @@ class FfcPlant:
         """Start at rest with open jaws; the step's one wrench is the one at rest."""
         _check(stage)
         mujoco.mj_resetData(self.model, self.state)
-        self._jaws.reset()
+        self.jaws.reset()
         self._cable.remove()
         self.state.qpos[:4] = stage[:4]
         self.state.ctrl[:] = stage[:4]
@@ -67,14 +67,14 @@ class FfcPlant:
         if samples > LONGEST_PERIOD:
             raise PlantError(f"a period of {samples} ms exceeds {LONGEST_PERIOD} ms")
         _check(target)
-        if self._jaws.move(target.jaws_closed, self._stage, self._depth):
+        if self.jaws.move(target.jaws_closed, self._stage, self._depth):
             self._change_cable()
         self.state.ctrl[:] = target[:4]
         self._advance(samples)
         return self._observe(self._history.newest(samples))
 
     def _change_cable(self) -> None:
-        grip = self._jaws.grip
+        grip = self.jaws.grip
         if grip is None:
             self._cable.remove()
         else:
@@ -82,7 +82,7 @@ class FfcPlant:
 
     def _advance(self, samples: int) -> None:
         mating = self._depth > self._mating_start - INSERTION_SPEED * samples * 1e-3
-        if self._jaws.grip is None or not (mating or self._cable.slip_load() > SLIP_WATCH):
+        if self.jaws.grip is None or not (mating or self._cable.slip_load() > SLIP_WATCH):
             self._cable.let_go()
             mujoco.mj_step(self.model, self.state, nstep=samples * self._stride)
             return
@@ -104,7 +104,7 @@ class FfcPlant:
         return PlantStep(wrenches, self._stage, (v[0], v[1], v[2], v[3]), part, tuple(q))
 
     def _part(self) -> PartTruth:
-        grip = self._jaws.grip
+        grip = self.jaws.grip
         if grip is None:
             return truth.empty(self._stage)
         tip, theta = self._cable.tip()

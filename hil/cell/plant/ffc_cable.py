@@ -76,6 +76,11 @@ class GrippedCable:
         self.rest = slip.slipped(self._pad, self._root(), self.rest)
         self._set_rest(self.rest)
 
+    def shift(self, dz: float) -> None:
+        """Let the cable slide by dz along the jaws, m; positive is up into them."""
+        self.rest = self.rest._replace(z=self.rest.z + dz)
+        self._set_rest(self.rest)
+
     def _root(self) -> PadState:
         q = self._state.qpos
         return PadState(float(q[self._x]), float(q[self._z]), float(q[self._tilt]))

@@ -47,13 +47,13 @@ class Jaws:
 
     def __init__(self, rig: Rig, rng: np.random.Generator) -> None:
         self._fixture = rig.fixture
-        self._places = {part.name: place(part, rig.connector) for part in rig.fixture.parts}
+        self.places = {part.name: place(part, rig.connector) for part in rig.fixture.parts}
         self._rng = rng
         self.reset()
 
     def reset(self) -> None:
         """Open, every part in its fixture."""
-        self.whereabouts = dict.fromkeys(self._places, Whereabouts.FIXTURE)
+        self.whereabouts = dict.fromkeys(self.places, Whereabouts.FIXTURE)
         self.closed = False
         self.grip: Grip | None = None
 
@@ -72,10 +72,10 @@ class Jaws:
 
     def _take(self, stage: Stage) -> Grip | None:
         for name, where in self.whereabouts.items():
-            if where is Whereabouts.FIXTURE and self._reaches(self._places[name], stage):
+            if where is Whereabouts.FIXTURE and self._reaches(self.places[name], stage):
                 self.whereabouts[name] = Whereabouts.JAWS
                 return seen_from(
-                    stage, name, with_play(self._places[name], self._fixture, self._rng)
+                    stage, name, with_play(self.places[name], self._fixture, self._rng)
                 )
         return None
 
@@ -84,7 +84,7 @@ class Jaws:
         return near and abs(remainder(nominal[3] - stage[3], 2 * pi)) <= CAPTURE_ROTATION
 
     def _left(self, name: str, stage: Stage, depth: float) -> Whereabouts:
-        if self._reaches(self._places[name], stage):
+        if self._reaches(self.places[name], stage):
             return Whereabouts.FIXTURE
         return Whereabouts.CONNECTOR if depth > SEATED_DEPTH else Whereabouts.DROPPED
 

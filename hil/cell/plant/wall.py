@@ -67,13 +67,13 @@ class WallPlant:
         self._touching = transition(w**2 + stiffness, 2 * w + damping, piece)
         self._give = w**2 / (w**2 + stiffness)
         self._tool = tool_load(rig.tool)
-        self._jaws = Jaws(rig, rng)
+        self.jaws = Jaws(rig, rng)
         self._axes = [Motion(0.0, 0.0)] * 4
 
     def reset(self, stage: StageTarget) -> PlantStep:
         """Start at rest with open jaws; the step's one wrench is the one at rest."""
         _check(stage)
-        self._jaws.reset()
+        self.jaws.reset()
         self._axes = [Motion(q, 0.0) for q in stage[:4]]
         return self._observe(np.array([self._wrench(stage)]))
 
@@ -81,7 +81,7 @@ class WallPlant:
         """Advance by `duration` ns; raises PlantError for a set-point that is not finite."""
         _check(target)
         samples = milliseconds(duration)
-        self._jaws.move(target.jaws_closed, self._stage(), 0.0)
+        self.jaws.move(target.jaws_closed, self._stage(), 0.0)
         return self._observe(np.array([self._millisecond(target) for _ in range(samples)]))
 
     def _millisecond(self, target: StageTarget) -> Vector6:
@@ -119,7 +119,7 @@ class WallPlant:
         return PlantStep(wrenches, self._stage(), (x.v, y.v, z.v, theta.v), self._part())
 
     def _part(self) -> PartTruth:
-        stage, grip = self._stage(), self._jaws.grip
+        stage, grip = self._stage(), self.jaws.grip
         if grip is None:
             return truth.empty(stage)
         x, y, z, theta = tip_of(stage, grip)

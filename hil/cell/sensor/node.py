@@ -1,6 +1,7 @@
 """The sensor node: clock, boot, samples, commands; frames out with their times, no bus in here."""
 
 from bisect import bisect_right
+from collections.abc import Callable
 from operator import itemgetter
 from typing import Final, TypeAlias
 
@@ -41,13 +42,18 @@ class SensorNode:
     them while nobody asked for frames. boots: how often the node has started.
     """
 
-    def __init__(self, sensor: Sensor, rng: np.random.Generator) -> None:
+    def __init__(
+        self,
+        sensor: Sensor,
+        rng: np.random.Generator,
+        build: Callable[[Sensor, np.random.Generator], Transducer] = Transducer,
+    ) -> None:
         errors = error_budget(sensor)
         error = rng.uniform(-errors.clock_error, errors.clock_error)
         # A free-running clock starts anywhere within a millisecond of the bench's.
         self._phase = int(rng.integers(MILLISECOND)) if errors.clock_error else 0
         self._tick = round(MILLISECOND * (1.0 + error))
-        self._transducer = Transducer(sensor, rng)
+        self._transducer = build(sensor, rng)
         self._warm = 2 * round(errors.warm_up_time * 1e9)
         self._ids = Identifiers.of(sensor.node)
         self._framing = Framing(sensor, self._ids)
