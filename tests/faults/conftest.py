@@ -30,9 +30,13 @@ START = 10
 
 def _pairs(found):
     """Payloads of FORCE and TORQUE frames of one counter each."""
-    forces = {frame.data[7]: frame.data for _, frame in found if frame.id == IDS.force}
-    torques = {frame.data[7]: frame.data for _, frame in found if frame.id == IDS.torque}
-    return [(force, torques[n]) for n, force in forces.items() if n in torques]
+    paired, waiting = [], {}
+    for _, frame in found:
+        if frame.id == IDS.force:
+            waiting[frame.data[7]] = frame.data
+        elif frame.id == IDS.torque and frame.data[7] in waiting:
+            paired.append((waiting.pop(frame.data[7]), frame.data))
+    return paired
 
 
 class FaultyBench:
