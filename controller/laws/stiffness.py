@@ -2,6 +2,7 @@
 
 from collections import deque
 from dataclasses import dataclass
+from itertools import islice
 
 LONGEST_PATIENCE = 30.0
 """s: where doubling ends."""
@@ -53,7 +54,7 @@ class Stiffness:
     def __init__(self, settings: StiffnessSettings, period: float) -> None:
         self._settings = settings
         self._period = period
-        self._blow = round(settings.blow / period)
+        self._blow = max(1, round(settings.blow / period))
         length = round(settings.look / period) + 1
         self._forces: deque[float] = deque(maxlen=length)
         self._places: deque[float] = deque(maxlen=length)
@@ -89,9 +90,12 @@ class Stiffness:
         if forces:
             self._hold = max(0.0, self._hold - self._period)
             loud = self._settings.loud
-            # Quiet contact, the usual case, is told apart at C speed.
-            if max(forces) - force >= loud or force - min(forces) >= loud:
-                self._search(force, place)
+            # Only while it may soften does more than the last few count; quiet contact, the usual
+            # case, is told apart at C speed.
+            softening = self._loading and self._hold <= 0.0
+            recent = forces if softening else tuple(islice(reversed(forces), self._blow))
+            if max(recent) - force >= loud or force - min(recent) >= loud:
+                self._search(force, place, len(recent))
         forces.append(force)
         self._places.append(place)
 
@@ -102,11 +106,14 @@ class Stiffness:
         elif error > 0.5 * wanted:
             self._loading = True
 
-    def _search(self, force: float, place: float) -> None:
-        """Use the shortest look back over which force and position both changed audibly."""
+    def _search(self, force: float, place: float, reach: int) -> None:
+        """Use the shortest look back over which force and position both changed audibly.
+
+        reach: periods.
+        """
         loud, resolution = self._settings.loud, self._settings.resolution
         past = zip(reversed(self._forces), reversed(self._places), strict=True)
-        for back, (before, there) in enumerate(past, start=1):
+        for back, (before, there) in enumerate(islice(past, reach), start=1):
             rise, way = force - before, place - there
             if -loud < rise < loud:
                 continue

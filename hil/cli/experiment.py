@@ -22,6 +22,7 @@ def build() -> typer.Typer:
     app.command()(force.force_tracking)
     app.command()(force.stability_map)
     app.command()(envelope.envelope)
+    app.command()(envelope.law_cost)
     return app
 
 

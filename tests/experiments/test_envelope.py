@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from hil.experiments.envelope.cost import costs
 from hil.experiments.envelope.experiment import FAMILIES, envelope, select
 from hil.experiments.envelope.table import as_text
 from hil.experiments.envelope.verdict import SPAN, judged
@@ -48,3 +49,10 @@ def test_two_thousand_loops_a_family_are_stable_below_the_peak_bound():
         assert result.unstable == 0, result
         assert result.lost == 0, result
         assert result.peak_over_bound <= 1.02, result
+
+
+def test_cost_is_told_of_each_law_at_both_rates():
+    found = list(costs(["soft"]))
+    assert [(cost.law, cost.rate_hz) for cost in found] == [("soft", 125), ("soft", 500)]
+    assert all(0.0 < cost.median_us <= cost.p95_us for cost in found)
+    assert found[1].updates > 3 * found[0].updates
