@@ -20,8 +20,9 @@ row, parameters `{preset}`. Figures are of the true force on the tool. What the 
 CLAIMS = (
     (
         "the proposed AIC tracks better than the common AIC, and that better than IC",
-        "the adaptive terms integrate the force error, which removes most of the error b v that a "
-        "constant gain leaves on a moving surface; the order holds wherever all three are stable",
+        "a constant gain leaves the error b v on a moving surface, and what integrates the force "
+        "error removes it; how much may be integrated is a matter of the range of stiffness and "
+        "the delay, so the order is one of parameters as much as of laws",
     ),
     (
         "without a large force overshoot",
