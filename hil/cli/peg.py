@@ -34,7 +34,9 @@ def peg_in_hole(
     seed: campaign.FirstSeed = 1,
     episodes: Annotated[int, typer.Option(min=1, help="With the first part.")] = 48,
     verify: Annotated[int, typer.Option(min=0, help="With the second one.")] = 2,
-    figure: Annotated[Path | None, typer.Option(help="Also draw steps by episode: a PNG.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Folder for report.html and Fig. 4 as a PNG.")
+    ] = None,
     jobs: campaign.Jobs = None,
     scheduler: campaign.Scheduler = "",
     ledger: campaign.LedgerFile = None,
@@ -72,10 +74,12 @@ def peg_in_hole(
     against = comparisons(found, reference)
     shown = {"world": world, "rows": table, "comparisons": against}
     typer.echo(tables.as_json(shown) if json else as_text(table, paper=world != "G0"), nl=False)
-    if figure is not None:
-        from hil.experiments.peg_in_hole.figure import draw  # noqa: PLC0415
+    if out is not None:
+        from hil.experiments.peg_in_hole.report import write  # noqa: PLC0415
 
-        draw(found, f"world {world}, {seeds} seeds", figure)
+        page = write(found, against, world, out)
+        if not json:
+            typer.echo(page)
     return FAILED if any(outcome.verdict.broken for outcome in outcomes) else 0
 
 
