@@ -11,6 +11,7 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+BASELINES = (ROOT / "requirements-baselines.txt").read_text("utf-8")
 LOCK = (ROOT / "requirements.lock").read_text("utf-8")
 PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
 
@@ -25,9 +26,9 @@ def required():
 
 @pytest.fixture(scope="module")
 def pinned():
-    """Versions by name; a package may be pinned once for each Python."""
+    """Versions by name; a package may be pinned once for each Python. torch has a file of its own."""
     versions = {}
-    for name, version in PIN.findall(LOCK):
+    for name, version in PIN.findall(LOCK) + PIN.findall(BASELINES):
         versions.setdefault(canonicalize_name(name), []).append(version)
     return versions
 
@@ -42,6 +43,12 @@ def test_every_requirement_is_pinned_to_a_version_that_it_allows(pinned, require
 def test_every_pin_has_its_hashes():
     entries = re.split(r"^(?=[A-Za-z0-9._-]+==)", LOCK, flags=re.MULTILINE)[1:]
     assert [entry.split()[0] for entry in entries if "--hash=sha256:" not in entry] == []
+
+
+def test_the_lock_leaves_torch_to_its_own_file_where_it_is_the_one_for_the_cpu():
+    locked, apart = (dict(PIN.findall(text)) for text in (LOCK, BASELINES))
+    assert not {"torch", "stable-baselines3"} & set(locked)
+    assert apart["torch"].endswith("+cpu")
 
 
 def test_setup_installs_from_the_lock_file_by_hash():
