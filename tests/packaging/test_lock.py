@@ -26,7 +26,7 @@ def required():
 
 @pytest.fixture(scope="module")
 def pinned():
-    """Versions by name; a package may be pinned once for each Python. torch has a file of its own."""
+    """Versions by name; a package may be pinned once for each Python, torch in its own file."""
     versions = {}
     for name, version in PIN.findall(LOCK) + PIN.findall(BASELINES):
         versions.setdefault(canonicalize_name(name), []).append(version)
