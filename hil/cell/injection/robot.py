@@ -103,9 +103,6 @@ def acts(injection: Injection, arm: InjectedArm) -> tuple[Act, ...]:
     def restore() -> None:
         box.robot = before
 
-    def near_limit(one: Running, _: int) -> None:
-        limits(joint_range=max(map(abs, box.servo.q)) + one.fault.number("margin"))
-
     def slow(one: Running, _: int) -> None:
         if one.fault.word("what") == "speed":
             limits(tcp_speed=one.fault.number("speed"))
@@ -122,7 +119,6 @@ def acts(injection: Injection, arm: InjectedArm) -> tuple[Act, ...]:
 
     return (
         Switch(injection, "R4", scale, unscaled),
-        Switch(injection, "R5", near_limit, restore),
         Switch(injection, "R6", slow, restore),
         Switch(injection, "R8", payload),
         Stops(injection, arm),
@@ -135,6 +131,7 @@ class Stops:
     def __init__(self, injection: Injection, arm: InjectedArm) -> None:
         self._injection, self._arm = injection, arm
         self._planes: dict[int, float] = {}
+        self._limits: dict[int, tuple[float, ...]] = {}
 
     def before(self, t: int) -> None:
         box = self._arm.box
@@ -146,6 +143,10 @@ class Stops:
             self._emergency(one, t)
         for one in self._injection.of("R3"):
             self._program(one, t)
+        for one in self._injection.of("R5"):
+            if (reason := self._outside(one)) and box.modes.moving:
+                box.protective_stop(reason)
+                one.felt(t, reason)
         for one in self._injection.of("R6"):
             if (reason := self._beyond(one)) and box.modes.moving:
                 box.protective_stop(reason)
@@ -154,9 +155,8 @@ class Stops:
     def after(self, t: int) -> None:
         """A limit has had its effect when the safety system stopped for it."""
         if self._arm.box.modes.safety is SafetyMode.PROTECTIVE_STOP:
-            for kind in ("R5", "R6"):
-                for one in self._injection.of(kind):
-                    one.felt(t, "the safety system stopped the arm")
+            for one in self._injection.of("R6"):
+                one.felt(t, "the safety system stopped the arm")
 
     def _emergency(self, one: Running, t: int) -> None:
         box = self._arm.box
@@ -179,6 +179,15 @@ class Stops:
             box.post(Event.RESUME)
         elif box.post(Event.PAUSE):
             one.felt(t, "program paused")
+
+    def _outside(self, one: Running) -> str:
+        """Why the arm may not stand there: each joint's limit is `margin` beyond where it stood."""
+        q, margin = self._arm.box.servo.q, one.fault.number("margin")
+        limits = self._limits.setdefault(one.index, tuple(abs(angle) + margin for angle in q))
+        for joint, (angle, limit) in enumerate(zip(q, limits, strict=True)):
+            if abs(angle) > limit + 1e-6:
+                return f"joint {joint} at {angle:.4f} rad, allowed is {limit:.4f} rad"
+        return ""
 
     def _beyond(self, one: Running) -> str:
         box, fault = self._arm.box, one.fault
