@@ -1,0 +1,32 @@
+"""`hil faults` and `hil run --faults`."""
+
+import json
+
+import pytest
+
+from hil.cli.main import call
+
+
+def test_the_list_has_every_fault(capsys):
+    assert call(["faults", "list", "--json"]) == 0
+    assert len(json.loads(capsys.readouterr().out)["faults"]) == 52
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("faults: [can.drip]", "faults[0].kind: no fault 'can.drip'; did you mean 'can.drop'?"),
+        ("faults: [{kind: C2, params: {mean: 3 N}}]", "'3 N' is not a quantity in s"),
+        ("faults: [L3]", "this run has no parallel learner"),
+        ("faults: [{kind: C1, trigger: episode >= 9}]", "the run has 1 episode"),
+    ],
+)
+def test_bad_faults_are_one_line_and_nothing_runs(tmp_path, capsys, text, complaint):
+    file = tmp_path / "faults.yaml"
+    file.write_text(text)
+    out = tmp_path / "out"
+    assert call(["run", "ffc_ur5", "--faults", str(file), "--out", str(out)]) == 2
+    said = capsys.readouterr().err
+    assert complaint in said
+    assert said.count("\n") == 1
+    assert not out.exists()
