@@ -7,6 +7,8 @@ from functools import partial
 from pathlib import Path
 from time import perf_counter
 
+import orjson
+
 from controller.action import Policy
 from controller.course import Course, Phase
 from controller.cycle import Cycle
@@ -134,6 +136,8 @@ def _recorder(request: Request, stack: ExitStack) -> Recorder | None:
     if request.out is None:
         return None
     settings = {"policy": request.policy, "part": request.part, "clock": request.clock}
+    if request.faults is not None:
+        settings["faults"] = orjson.dumps(request.faults.written()).decode()
     about = identity(request.rig.name, request.rig_text, request.seed, settings)
     recorder = Recorder(request.out, about, overwrite=request.overwrite)
     recorder.open()
