@@ -2,7 +2,18 @@
 
 import typer
 
-from hil.cli import bench, campaign, cell, doctor, experiment, faults, recordings, rig, tune
+from hil.cli import (
+    bench,
+    campaign,
+    cell,
+    doctor,
+    experiment,
+    falsify,
+    faults,
+    recordings,
+    rig,
+    tune,
+)
 
 
 def build() -> typer.Typer:
@@ -20,6 +31,8 @@ def build() -> typer.Typer:
     app.command()(cell.up)
     app.command()(recordings.replay)
     app.command()(recordings.diff)
+    app.command()(falsify.falsify)
+    app.command()(falsify.shrink)
     app.command()(bench.bench)
     app.command()(doctor.doctor)
     app.add_typer(rig.build(), name="rig")

@@ -32,11 +32,14 @@ def status(error: BaseException) -> int | None:
     from drivers.errors import DriverError  # noqa: PLC0415
     from hil.campaign.errors import CampaignError  # noqa: PLC0415
     from hil.cell.errors import CellError, RigError  # noqa: PLC0415
+    from hil.falsify.errors import FalsifyError  # noqa: PLC0415
+    from hil.monitors.errors import MonitorError  # noqa: PLC0415
     from hil.recording.errors import RecordingError  # noqa: PLC0415
     from hil.tuning.errors import TuningError  # noqa: PLC0415
     from learner.errors import LearnerError  # noqa: PLC0415
 
-    if isinstance(error, RigError | RecordingError | CampaignError | TuningError | LearnerError):
+    bad = RigError | RecordingError | CampaignError | TuningError | LearnerError
+    if isinstance(error, bad | FalsifyError | MonitorError):
         return BAD_INPUT
     if isinstance(error, DriverError | CellError | ControlError | OSError):
         return FAILED

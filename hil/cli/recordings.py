@@ -12,7 +12,9 @@ from hil.cli.options import Json
 if TYPE_CHECKING:
     from hil.recording.read import Recording
 
-RunPath = Annotated[Path, typer.Argument(metavar="RUN", help="A run's folder or its run.mcap.")]
+RunPath = Annotated[
+    Path, typer.Argument(metavar="RUN", help="A run's folder, its run.mcap, or a kept schedule.")
+]
 
 
 def replay(
@@ -23,8 +25,15 @@ def replay(
     ] = None,
     figure: Annotated[Path | None, typer.Option(help="Draw the run's forces as PNG.")] = None,
     page: Annotated[Path | None, typer.Option(help="Write a self-contained HTML page.")] = None,
-) -> None:
-    """Print what happened in a recorded run: phases, contact, forces, trips."""
+) -> int:
+    """Print what happened in a recorded run: phases, contact, forces, trips.
+
+    A schedule that `hil falsify` or `hil shrink` kept (.yaml) is run again.
+    """
+    if run.suffix == ".yaml":
+        from hil.cli.falsify import again  # noqa: PLC0415
+
+        return again(run, json=json)
     from hil.recording.read import load  # noqa: PLC0415
     from hil.recording.summary import summarise  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
@@ -37,6 +46,7 @@ def replay(
     if csv != Path("-"):
         summary = summarise(recording)
         typer.echo(tables.as_json(summary) if json else tables.of_run(summary), nl=False)
+    return 0
 
 
 def diff(

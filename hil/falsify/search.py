@@ -1,6 +1,6 @@
 """Looks for the case of least robustness: Optuna's TPE, or uniform draws to compare it with."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -32,22 +32,21 @@ class Found:
 
 
 def search(
-    space: Space,
+    slots: Sequence[Space],
     robustness: Robustness,
     *,
     budget: int,
     seed: int,
-    parts: int = 1,
     sampler: Literal["tpe", "random"] = "tpe",
     tell: Told = lambda *_: None,
 ) -> Found:
-    """Run up to `budget` cases of that many parts each, and stop at the first violation."""
+    """Run up to `budget` cases of one part from each slot, and stop at the first violation."""
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     study = optuna.create_study(sampler=_sampler(sampler, seed))
     worst: Found | None = None
     for run in range(1, budget + 1):
         trial = study.ask()
-        case = tuple(_part(trial, space, index) for index in range(parts))
+        case = tuple(_part(trial, space, index) for index, space in enumerate(slots))
         value = robustness(case)
         study.tell(trial, value)
         tell(run, case, value)

@@ -1,7 +1,7 @@
 """What a search may vary: parts that break something, each with values on axes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isclose
 from typing import NamedTuple, TypeAlias
 
@@ -20,6 +20,10 @@ class Axis:
     neutral: float
     whole: bool = False
     log: bool = False
+
+    def reaching(self, value: Value) -> "Axis":
+        """The same, wide enough for a value."""
+        return replace(self, low=min(self.low, float(value)), high=max(self.high, float(value)))
 
     def simpler(self, value: Value) -> list[Value]:
         """Values to try in its stead, the simplest first."""
@@ -53,6 +57,9 @@ class Choice:
     """One word of several, the one that says least first."""
 
     words: tuple[str, ...]
+
+    def reaching(self, value: Value) -> "Choice":
+        return self if value in self.words else Choice((*self.words, str(value)))
 
     def simpler(self, value: Value) -> list[Value]:
         return list(self.words[: self.words.index(str(value))])

@@ -87,7 +87,8 @@ def robustness(case):
 def test_the_search_stops_at_its_first_violation_and_needs_fewer_runs_than_chance():
     def runs(sampler):
         found = [
-            search(SPACE, robustness, budget=150, seed=seed, sampler=sampler) for seed in range(5)
+            search((SPACE,), robustness, budget=150, seed=seed, sampler=sampler)
+            for seed in range(5)
         ]
         assert all(f.violated == (f.robustness < 0.0) for f in found)
         return sorted(f.runs for f in found)[2]
@@ -102,6 +103,6 @@ def test_one_seed_is_one_search():
         told.append((run, case, value))
 
     for _ in range(2):
-        search(SPACE, robustness, budget=20, seed=3, tell=tell)
+        search((SPACE,), robustness, budget=20, seed=3, tell=tell)
     half = len(told) // 2
     assert told[:half] == told[half:]
