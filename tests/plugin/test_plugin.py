@@ -2,8 +2,12 @@
 
 import shlex
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import pytest
+
+import hil_fixtures.plugin.provide  # noqa: F401  numpy cannot be loaded by two child runs in turn
+from hil.cell.faults.parse import load
 
 BENCH = "--rig=bench.yaml"
 
@@ -196,3 +200,52 @@ def test_an_option_that_makes_no_sense_is_one_line_and_nothing_runs(repository, 
     assert result.ret == pytest.ExitCode.USAGE_ERROR
     result.stderr.fnmatch_lines([said])
     assert len(result.errlines) <= 2
+
+
+def test_a_fault_that_never_happens_fails_the_test_and_is_named(child, repository):
+    result = child(
+        "--rig=cable.yaml", "--junitxml=j.xml", "--hil-report=out", "--hil-keep=all",
+        test_faults="""
+        import pytest
+        from hil_fixtures.strategies import Actions
+
+        @pytest.mark.requirement("SR-9")
+        @pytest.mark.fault("can.drop", trigger="phase: insert", cycles=8)
+        def test_never_inserts(rig, faults, monitors, run_log):
+            monitors.add("pressed at most", "fz <= 9")
+            assert [fault.kind for fault in faults.faults] == ["C1"]
+            rig.run(policy=Actions([]))
+            assert len(run_log) == 1
+        """,
+    )  # fmt: skip
+    result.assert_outcomes(failed=1)
+    result.stdout.fnmatch_lines(
+        ["vacuous: C1 armed but never active*", "run 1: *sha256 *", "kept in *", "SR-9  FAIL*"]
+    )
+    found = properties(repository.path / "j.xml", "test_never_inserts")
+    assert found["hil.verdict"] == ["vacuous"]
+    (folder,) = found["hil.recording"]
+    assert {path.name for path in Path(folder).iterdir()} == {
+        "rig.yaml", "faults.yaml", "trial.json", "trace.csv",
+    }  # fmt: skip
+    assert load(Path(folder) / "faults.yaml").faults[0].kind == "C1"
+
+
+@pytest.mark.parametrize(
+    ("marker", "said"),
+    [
+        ('"can.dorp"', "*no fault 'can.dorp'; did you mean 'can.drop'*"),
+        ('"C1", trigger="contakt"', "*no event 'contakt'; did you mean 'contact'*"),
+        ('"C2", mean="3 N"', "*3 N*"),
+        ('"C1", share=float("nan")', "*share*"),
+    ],
+)
+def test_a_fault_that_makes_no_sense_is_said_at_collection_and_nothing_runs(
+    repository, marker, said
+):
+    repository.makepyfile(
+        f"import pytest\n\n@pytest.mark.fault({marker})\ndef test_it(rig): pass\n"
+    )
+    result = repository.runpytest_inprocess("-p", "hil_fixtures.plugin")
+    assert result.ret == pytest.ExitCode.INTERRUPTED
+    result.stdout.fnmatch_lines([said])
