@@ -38,7 +38,7 @@ def episode(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Polic
     yield from approach(course, plan.start, plan.travel)
     if plan.tare_samples:
         yield from tare(course, sensor, plan.tare_samples)
-    return (yield from _find_and_insert(course, plan, policy))
+    return (yield from find_and_insert(course, plan, policy))
 
 
 def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
@@ -60,7 +60,7 @@ def leave(course: Course, plan: Plan) -> Phase[Ending]:
     return Ending(Kind.DONE, "retracted")
 
 
-def _find_and_insert(course: Course, plan: Plan, policy: Policy) -> Phase[Ending]:
+def find_and_insert(course: Course, plan: Plan, policy: Policy) -> Phase[Ending]:
     while True:
         axis = ForceAxis(plan.press, course.period)
         touch = yield from contact(course, axis, plan)

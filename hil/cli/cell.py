@@ -53,13 +53,16 @@ StatusOption: TypeAlias = Annotated[
 def demo(
     out: Out = Path("out/demo"),
     seed: Seed = None,
+    learner: Annotated[
+        str, typer.Option(help="Who learns in the second half; `none` leaves that out.")
+    ] = "belief",
     json: Json = False,
     overwrite: Overwrite = False,
 ) -> int:
-    """Assemble one cable in the paper's cell, record it, draw it: the testbed in a minute."""
+    """Assemble one cable, record it, draw it; then the paper's learning experiment, its figures."""
     from hil.cli.demo import demo as begin  # noqa: PLC0415
 
-    return begin(out, seed, json=json, overwrite=overwrite)
+    return begin(out, seed, learner, json=json, overwrite=overwrite)
 
 
 def run(

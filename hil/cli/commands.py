@@ -12,6 +12,7 @@ from hil.cli import (
     faults,
     recordings,
     rig,
+    training,
     tune,
 )
 
@@ -29,6 +30,7 @@ def build() -> typer.Typer:
     app.command()(cell.demo)
     app.command()(cell.run)
     app.command()(cell.up)
+    app.command()(training.train)
     app.command()(recordings.replay)
     app.command()(recordings.diff)
     app.command()(falsify.falsify)
@@ -40,4 +42,5 @@ def build() -> typer.Typer:
     app.add_typer(experiment.build(), name="experiment")
     app.add_typer(campaign.build(), name="campaign")
     app.add_typer(tune.build(), name="tune")
+    app.add_typer(training.build(), name="policy")
     return app

@@ -18,6 +18,8 @@ def build() -> typer.Typer:
     app.command()(noise)
     app.command()(insertion)
     app.command()(learning.ffc)
+    app.command()(learning.fast_model)
+    app.command()(learning.beside)
     app.command()(peg.peg_in_hole)
     app.command()(force.force_tracking)
     app.command()(force.stability_map)

@@ -10,6 +10,7 @@ from controller.action import Action, Observation
 from controller.outcome import Kind
 from learner.belief import filter as bayes
 from learner.belief.hazard import Hazard
+from learner.belief.mouth import Sinking, Slide, caught, slid, turned
 from learner.belief.planning import Plan
 from learner.belief.settings import Belief
 from learner.belief.sides import likelihood
@@ -36,6 +37,8 @@ class BeliefLearner:
         # Insertions and misses at the slot, whose ratio is the estimate of at_slot; (2,).
         self.tries = _WEIGHT * np.array([settings.at_slot, 1.0 - settings.at_slot])
         self.dice = words(rng, 1)
+        self.sinking = Sinking()
+        self._slide = Slide(grid.shape[0], settings.mouth)
 
     def begin(self) -> None:
         """A little may have changed since the last episode; plan from nothing."""
@@ -44,7 +47,14 @@ class BeliefLearner:
         self._replan(_FIRST_SWEEPS)
 
     def act(self, observation: Observation) -> Action:
-        return Action(self.plan.step(self._at(observation), self.dice))
+        """By the plan; in the slot's mouth by what leads on there."""
+        self.sinking.look(observation)
+        depth, at = self.sinking.depth(observation), self._at(observation)
+        if depth > self.settings.mouth.home:
+            return Action.PLUS_THETA if observation.tau_z > 0 else Action.MINUS_THETA
+        if depth > self.settings.mouth.depth:
+            return self._slide.step(self.belief, at, self.settings.gamma, self.dice)
+        return Action(self.plan.step(at, self.dice))
 
     def observe(self, transition: Transition) -> None:
         """Update and plan anew; an episode's end is planned for when the next one begins."""
@@ -52,7 +62,7 @@ class BeliefLearner:
         self.hazard.note(at, ending)
         # A danger ended the step before the part could settle: it tells nothing of the slot.
         if ending is not Kind.DANGER:
-            self._learn(at, transition.after, went_in=ending is Kind.INSERTED)
+            self._learn(transition, went_in=ending is Kind.INSERTED)
         if ending is None:
             self._replan(self.settings.sweeps)
 
@@ -67,18 +77,41 @@ class BeliefLearner:
         """Chance an axis that the part goes in, by steps off the slot."""
         return np.array([self.tries[0] / self.tries.sum(), self.settings.beside_slot])
 
-    def _learn(self, at: Cell, after: Observation, *, went_in: bool) -> None:
-        chance = bayes.going_in(self.grid.shape, at, self.kernel)
+    def values(self) -> bayes.Array:
+        """What the plan holds it worth to step onto each pose, (x, y, theta)."""
+        return self.plan.worth[1:-1, 1:-1, 1:-1].copy()
+
+    def _learn(self, transition: Transition, *, went_in: bool) -> None:
+        after = transition.after
+        at, shape = self._at(after), self.grid.shape
+        chance = bayes.going_in(shape, at, self.kernel)
         if went_in:
             self.belief = bayes.inserted(self.belief, chance)
             self.tries[0] += 1.0
             return
+        if self._in_mouth(after):
+            self._caught(transition, at)
+            return
         self.belief = bayes.missed(self.belief, chance)
         if self.settings.sides is not None:
-            signs = likelihood(self.grid.shape, at, after, self.settings.sides)
+            signs = likelihood(shape, at, after, self.settings.sides)
             self.belief = bayes.told(self.belief, signs)
         # As in expectation maximisation: a miss counts by how likely the slot was here.
         self.tries[1] += self.belief[at]
+
+    def _caught(self, transition: Transition, at: Cell) -> None:
+        """Entering the mouth tells y at once; inside, only a step along x tells anything new."""
+        before, action, after = transition.before, transition.action, transition.after
+        shape, mouth = self.grid.shape, self.settings.mouth
+        if not self._in_mouth(before):
+            signs = caught(shape, at, mouth) * turned(shape, at, after.tau_z, mouth)
+            self.belief = bayes.told(self.belief, signs)
+        elif action.axis == 0:
+            way = action.sign * (1 if after.z < before.z else -1)
+            self.belief = bayes.told(self.belief, slid(shape, at, way, mouth))
+
+    def _in_mouth(self, observation: Observation) -> bool:
+        return self.sinking.depth(observation) > self.settings.mouth.depth
 
     def _replan(self, sweeps: int) -> None:
         success = bayes.success(self.belief, self.kernel)
@@ -97,6 +130,7 @@ class BeliefLearner:
             "hazard": self.hazard.save(),
             "worth": self.plan.worth.copy(),
             "tries": self.tries.copy(),
+            "face": self.sinking.face.copy(),
             "dice": self.dice.copy(),
         }
 
@@ -106,4 +140,5 @@ class BeliefLearner:
         restore("belief", self.belief, state.get("belief"))
         restore("worth", self.plan.worth, state.get("worth"))
         restore("tries", self.tries, state.get("tries"))
+        restore("face", self.sinking.face, state.get("face"))
         restore("dice", self.dice, state.get("dice"))

@@ -1,7 +1,8 @@
 """The numbers of the belief learner."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from learner.belief.mouth import Mouth
 from learner.belief.sides import Sides
 
 
@@ -29,6 +30,7 @@ class Belief:
     base_hazard: float = 1e-3
     sweeps: int = 12
     sides: Sides | None = None
+    mouth: Mouth = field(default_factory=Mouth)
 
     def __post_init__(self) -> None:
         for name in ("at_slot", "beside_slot", "drift", "gamma", "base_hazard"):

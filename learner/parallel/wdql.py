@@ -17,6 +17,7 @@ from learner.interface import State, Transition
 from learner.parallel.agents import Agents
 from learner.parallel.outcomes import FAIL, Classes, Outcomes
 from learner.parallel.server import Model, evaluate
+from learner.surface import Array, best_q
 from learner.tabular.alone import Rows, best, learn_rows, rows
 from learner.tabular.rules import greedy
 from learner.tabular.settings import Tabular
@@ -88,6 +89,10 @@ class ParallelLearner:
     def greedy(self) -> NDArray[np.uint8]:
         """The best action of each pose, ties drawn by the robot's dice, (states,)."""
         return greedy(self.pool, self.settings.tabular.law)
+
+    def values(self) -> Array:
+        """Largest Q of each pose, (x, y, theta)."""
+        return best_q(self.pool, self.grid)
 
     def _evaluate(self) -> None:
         if self.outcomes.successes:

@@ -8,6 +8,7 @@ from controller.action import Action, Observation
 from controller.outcome import Kind
 from learner.grid import Grid
 from learner.interface import State, Transition
+from learner.surface import Array, best_q
 from learner.tabular.rules import Pool, Step, choose, update
 from learner.tabular.settings import Tabular
 from learner.tabular.tables import empty, saved, take_up
@@ -44,6 +45,10 @@ class TabularLearner:
 
     def grip_changed(self) -> None:
         """Nothing: the tables point where they pointed, as the paper's do."""
+
+    def values(self) -> Array:
+        """Largest Q of each pose, (x, y, theta)."""
+        return best_q(self.pool, self.grid)
 
     def save(self) -> State:
         return saved(self.pool)

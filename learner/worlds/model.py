@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 STEP = 0.3e-3
 """m, and rad below: the steps of Eq. 2, which the box counts in."""
 TURN = 0.0174532925199433
@@ -24,6 +26,12 @@ class Model:
     which the slot is off `slot`, drawn once a cell; mirrored: its side of the start is drawn too.
     random_start: of each episode.
 
+    caught: beyond the capture along x, within which the mouth takes the part with one corner and
+    keeps it: only steps along x then lead on, and z shows it; 0 is no such mouth. skew: how much
+    of the capture along y a step of theta takes. A step along x
+    that has more than `strain` of the lag against it is a danger with `strained`; one away from the
+    slot, from within a step of being in line, with `wrenched`.
+
     side: chance that the sign of fx, fy, tau_z shows the way to the slot, within 3 steps of it.
     """
 
@@ -43,15 +51,29 @@ class Model:
     spread: tuple[float, float, float] = (0.0, 0.0, 0.0)
     mirrored: bool = True
     random_start: bool = False
+    caught: float = 0.0
+    skew: float = 0.0
+    strain: float = 0.6
+    strained: float = 0.0
+    wrenched: float = 0.0
     side: float = 0.5
     max_steps: int = 500
 
     def __post_init__(self) -> None:
-        for name in ("insertion", "jam_hazard", "hazard", "edge_hazard", "slip", "side"):
+        for name in (
+            "insertion",
+            "jam_hazard",
+            "hazard",
+            "edge_hazard",
+            "slip",
+            "side",
+            "strained",
+            "wrenched",
+        ):
             if not 0.0 <= getattr(self, name) <= 1.0:
                 raise ValueError(f"{name} is a probability, found {getattr(self, name)}")
-        for name in ("halves", "capture", "mouth", "play", "spread", "lag"):
-            if not all(value >= 0 for value in getattr(self, name)):
+        for name in ("halves", "capture", "mouth", "play", "spread", "lag", "caught"):
+            if not all(value >= 0 for value in np.atleast_1d(getattr(self, name))):
                 raise ValueError(f"{name} cannot be negative, found {getattr(self, name)}")
         if self.max_steps < 1:
             raise ValueError(f"max_steps must be at least 1, found {self.max_steps}")

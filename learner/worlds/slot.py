@@ -45,12 +45,18 @@ class SlotWorld:
         self._grip = _offset(grip)
         self._over = True
 
+    def place(self, slot: Offset, grip: Offset = (0.0, 0.0, 0.0)) -> None:
+        """Put slot and part where they are wanted, instead of what was drawn."""
+        self.slot, self._grip = slot, grip
+        self._over = True
+
     def begin(self) -> Observation:
         """At the box's middle, or anywhere in it, with nothing lagging or slipped."""
         self.jaws = Cell(0, 0, 0)
         if self.model.random_start:
             self.jaws = self.grid.at(int(self._rng.integers(self.grid.states)))
         self._behind, self._slipped = [0.0, 0.0], [0.0, 0.0]
+        self._caught = self._meets_mouth()
         self._steps, self._over = 0, False
         return self._seen()
 
@@ -76,18 +82,47 @@ class SlotWorld:
 
     def _happens(self, action: Action) -> Kind | None:
         """Eq. 4's cases in their order: a danger on the way comes before the slot."""
-        model = self.model
+        if self._caught:
+            return self._slides(action)
+        model, before = self.model, self.jaws
+        strained = self._strained(action)
         stopped = self._move(action)
-        if (stopped and self._chance(model.edge_hazard)) or self._chance(model.hazard):
+        if strained or (stopped and self._chance(model.edge_hazard)) or self._chance(model.hazard):
             return Kind.DANGER
         if self._chance(model.slip):
             self._slip()
         if self._within(model.capture) and self._chance(model.insertion):
             return Kind.INSERTED
+        if self._meets_mouth():
+            self._catch(before)
+            return None
         mouth = _offset(np.add(model.capture, model.mouth))
         if self._within(mouth) and self._chance(model.jam_hazard):
             return Kind.DANGER
         return None
+
+    def _strained(self, action: Action) -> bool:
+        """Whether a step along x, the part dragging behind already, passes the force bound."""
+        model = self.model
+        against = -action.sign * self._behind[0] > model.strain * model.lag[0]
+        return action.axis == 0 and against and self._chance(model.strained)
+
+    def _catch(self, before: Cell) -> None:
+        """The walls take the tip; the jaws give way to them, back to where they were if nearer."""
+        self._caught, self._behind = True, [0.0, 0.0]
+        aligned = self.slot[1] - self._grip[1]
+        if abs(before.y - aligned) < abs(self.jaws.y - aligned):
+            self.jaws = before
+
+    def _slides(self, action: Action) -> Kind | None:
+        """In the mouth: nothing but a step along x leads on, until the part is in line."""
+        if action.axis != 0:
+            return Kind.INSERTED if self._within(self.model.capture) else None
+        away = action.sign * self.error[0] >= 0 and abs(self.error[0]) <= 1.0
+        self.jaws = self.grid.moved(self.jaws, action)
+        if abs(self.error[0]) <= self.model.capture[0] and self._chance(self.model.insertion):
+            return Kind.INSERTED
+        return Kind.DANGER if away and self._chance(self.model.wrenched) else None
 
     def _move(self, action: Action) -> bool:
         """True when the box's edge stopped the step."""
@@ -108,11 +143,15 @@ class SlotWorld:
         else:
             self._slipped[axis] = float(self._rng.choice((-1.0, 1.0)))
 
+    def _meets_mouth(self) -> bool:
+        caught = self.model.caught
+        return caught > 0 and self._within(_offset(np.add(self.model.capture, (caught, 0, 0))))
+
     def _within(self, halves: Offset) -> bool:
+        x, y, turn = map(abs, self.error)
         # A whole step off by floating point is still a whole step.
-        return all(
-            abs(error) <= half + 1e-9 for error, half in zip(self.error, halves, strict=True)
-        )
+        room = np.add(halves, 1e-9)
+        return bool(x <= room[0] and y + self.model.skew * turn <= room[1] and turn <= room[2])
 
     def _chance(self, probability: float) -> bool:
         return probability > 0.0 and bool(self._rng.random() < probability)
@@ -121,7 +160,12 @@ class SlotWorld:
         """Eq. 1, the forces reduced to signs of 1 N and 1 N·m: no force law runs here."""
         fx, fy, tau = self._signs() if self.model.side != 0.5 else (0.0, 0.0, 0.0)
         x, y, turn = self.jaws
-        return Observation(fx, fy, 5.0, tau, x * STEP, y * STEP, 0.0, turn * TURN)
+        return Observation(fx, fy, 5.0, tau, x * STEP, y * STEP, -self._depth, turn * TURN)
+
+    @property
+    def _depth(self) -> float:
+        """Of a caught part, m: the nearer to the slot's middle, the deeper hangs its corner."""
+        return 0.75e-3 - 0.02e-3 * abs(self.error[0]) if self._caught else 0.0
 
     def _signs(self) -> Offset:
         near = all(abs(error) <= _TELLS for error in self.error)

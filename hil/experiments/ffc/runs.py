@@ -5,18 +5,17 @@ from dataclasses import asdict, dataclass
 
 from pydantic import TypeAdapter
 
-from controller.course import Course
-from controller.cycle import Cycle
 from controller.outcome import Kind
-from hil.app.cell import RunningCell
 from hil.app.inline import InlineCell
 from hil.app.train import EpisodeResult, Schedule, connected
 from hil.campaign.plan import Plan, grid
 from hil.campaign.run import Json, Outcome, Report, Run, Verdict
 from hil.cell.rig import Rig, parse
 from hil.cell.streams import stream
+from hil.experiments.ffc.sight import Sight, Watcher
 from learner.build import maker
 from learner.grid import Grid
+from learner.surface import surface
 
 LIMIT = 900.0
 """Wall seconds of a training of 50 episodes; one takes about 60 on an idle core."""
@@ -24,12 +23,16 @@ LIMIT = 900.0
 
 @dataclass(frozen=True, slots=True)
 class Training:
-    """One run's episodes, in order; broken: the runner's verdict on a run that never came back."""
+    """One run's episodes, in order; broken: the runner's verdict on a run that never came back.
+
+    sight: forces of one episode and the final policy, for the figures.
+    """
 
     learner: str
     seed: int
     episodes: tuple[EpisodeResult, ...]
     broken: str = ""
+    sight: Sight | None = None
 
 
 def box(rig: Rig) -> Grid:
@@ -69,8 +72,12 @@ def one(run: Run) -> Report:
     learner = make(box(rig), rig.task.max_steps, stream(run.seed, "learner"))
     with ExitStack() as stack:
         cell = stack.enter_context(InlineCell(rig, run.seed, "lockstep", record=False))
-        trainer = connected(rig, cell, stack, _unseen, None)
-        episodes = [asdict(result) for result in trainer.run(learner, schedule, run.seed)]
+        watcher = Watcher()
+        trainer = connected(rig, cell, stack, watcher.watch, None)
+        episodes = []
+        for result in trainer.run(learner, schedule, run.seed):
+            watcher.ended(result)
+            episodes.append(asdict(result))
     for episode in episodes:
         episode["kind"] = episode["kind"].value
     verified = all(
@@ -78,11 +85,10 @@ def one(run: Run) -> Report:
         for episode in episodes
         if episode["part"] != schedule.parts[0][0]
     )
-    return Report({"episodes": episodes}, Verdict.PASSED if verified else Verdict.FAILED)
-
-
-def _unseen(cycle: Cycle, course: Course, cell: RunningCell) -> None:
-    """Nobody watches."""
+    sight = asdict(watcher.sight(surface(learner)))
+    return Report(
+        {"episodes": episodes, "sight": sight}, Verdict.PASSED if verified else Verdict.FAILED
+    )
 
 
 def trainings(plan: Plan, outcomes: list[Outcome]) -> list[Training]:
@@ -95,4 +101,5 @@ def _training(run: Run, outcome: Outcome) -> Training:
     if not outcome.figures:
         return Training(name, run.seed, (), outcome.verdict.value)
     found = TypeAdapter(tuple[EpisodeResult, ...]).validate_python(outcome.figures["episodes"])
-    return Training(name, run.seed, found)
+    sight = TypeAdapter(Sight).validate_python(outcome.figures["sight"])
+    return Training(name, run.seed, found, sight=sight)

@@ -1,0 +1,193 @@
+"""A training that survives any death: in sessions, with a checkpoint after each.
+
+Of an emulated cell each session is a cell started anew, its noise and delays drawn from the seed
+and the session's number; where the connector stands and how a part lies in the jaws is drawn from
+the seed alone. So a training that was killed goes on from its last session to the same bits as one
+that never was. A real cell keeps its part in the jaws: there a session is all of a part's episodes.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from math import cos, sin
+from pathlib import Path
+
+import numpy as np
+
+from controller.outcome import Kind
+from hil.app.cell import RunningCell
+from hil.app.inline import InlineCell
+from hil.app.real import RealCell
+from hil.app.train import EpisodeResult, Schedule, Watch, connected
+from hil.cell.rig import Rig, drawn
+from hil.cell.rig.parts import Part
+from hil.cell.streams import stream
+from hil.recording.identity import versions
+from learner import checkpoint
+from learner.build import maker
+from learner.checkpoint import Checkpoint
+from learner.errors import CheckpointError
+from learner.grid import Grid
+from learner.interface import Learner, State
+
+KINDS = (Kind.INSERTED, Kind.DANGER, Kind.LIMIT)
+
+
+@dataclass(frozen=True, slots=True)
+class Training:
+    """What is trained. every: episodes of a session. text: the rig file's bytes."""
+
+    rig: Rig
+    text: bytes
+    learner: str
+    seed: int
+    schedule: Schedule
+    every: int = 8
+
+    @property
+    def grid(self) -> Grid:
+        """The task's search box."""
+        task = self.rig.task
+        return Grid(task.search_cells, (task.step, task.step, task.step_rotation))
+
+    @property
+    def settings(self) -> dict[str, str]:
+        """Everything besides learner, rig name and seed that a continuation must share."""
+        parts = ",".join(f"{name}:{count}" for name, count in self.schedule.parts)
+        return {
+            "rig": sha256(self.text).hexdigest(),
+            "parts": parts,
+            "every": str(self.every),
+            "cells": ",".join(map(str, self.rig.task.search_cells)),
+            "max_steps": str(self.rig.task.max_steps),
+        }
+
+    @property
+    def sessions(self) -> list[tuple[str, int]]:
+        """Part and number of episodes of each session."""
+        found = []
+        for name, count in self.schedule.parts:
+            most = count if self.rig.rig == "real" else self.every
+            found += [(name, min(most, count - done)) for done in range(0, count, most)]
+        return found
+
+
+def train(training: Training, path: Path, watch: Watch, *, resume: bool) -> Iterator[EpisodeResult]:
+    """Every episode that is still to be done, `path` written after each session.
+
+    Raises CheckpointError for a file of another training, CellError, DriverError.
+    """
+    learner = maker(training.learner)(
+        training.grid, training.rig.task.max_steps, stream(training.seed, "learner")
+    )
+    results = taken_up(training, path, learner) if resume and path.exists() else []
+    done = len(results)
+    begin = 0
+    for index, (part, count) in enumerate(training.sessions):
+        new_part = index > 0 and training.sessions[index - 1][0] != part
+        begin += count
+        if begin <= done:
+            continue
+        if new_part:
+            learner.grip_changed()
+        for result in _session(training, learner, index, watch):
+            results.append(replace(result, number=len(results) + 1))
+            yield results[-1]
+        checkpoint.write(path, _kept(training, learner, results))
+
+
+def _session(
+    training: Training, learner: Learner, index: int, watch: Watch
+) -> Iterator[EpisodeResult]:
+    part, count = training.sessions[index]
+    with ExitStack() as stack:
+        cell = stack.enter_context(_cell(training, index))
+        trainer = connected(training.rig, cell, stack, watch, None)
+        yield from trainer.run(learner, Schedule(((part, count),)), training.seed)
+
+
+def _cell(training: Training, index: int) -> RunningCell:
+    rig, seed = training.rig, training.seed
+    if rig.rig == "real":
+        return RealCell(rig, "wall")
+    its_own = int(stream(seed, f"session.{index}").integers(1 << 31))
+    return InlineCell(as_met(rig, seed), its_own, "lockstep", record=False)
+
+
+def as_met(rig: Rig, seed: int) -> Rig:
+    """The rig with everything drawn that a training meets from its first episode to its last."""
+    rig = drawn(rig, stream(seed, "randomisation"))
+    still = rig.randomisation.model_copy(update={"enabled": False})
+    play, turn = rig.fixture.play, rig.fixture.play_rotation
+    parts = tuple(
+        _lying(part, play, turn, stream(seed, f"grip.{part.name}")) for part in rig.fixture.parts
+    )
+    fixture = rig.fixture.model_copy(update={"parts": parts, "play": 0.0, "play_rotation": 0.0})
+    return rig.model_copy(update={"randomisation": still, "fixture": fixture})
+
+
+def _lying(part: Part, play: float, turn: float, rng: np.random.Generator) -> Part:
+    """The part where its fixture's play left it."""
+    u, v, w = rng.uniform(-0.5, 0.5, 3).tolist()
+    c, s = cos(part.rotation) * play, sin(part.rotation) * play
+    x, y, z = part.position
+    place = {"position": (x + c * u - s * v, y + s * u + c * v, z)}
+    return part.model_copy(update={**place, "rotation": part.rotation + turn * w})
+
+
+def _kept(training: Training, learner: Learner, results: Sequence[EpisodeResult]) -> Checkpoint:
+    episodes: State = {
+        "kind": np.array([KINDS.index(result.kind) for result in results]),
+        "steps": np.array([result.steps for result in results]),
+        "seconds": np.array([result.seconds for result in results]),
+    }
+    return Checkpoint(
+        learner=training.learner,
+        settings=training.settings,
+        rig=training.rig.name,
+        seed=training.seed,
+        episodes=len(results),
+        versions=versions(),
+        state={"learner": learner.save(), "episodes": episodes},
+    )
+
+
+def taken_up(training: Training, path: Path, learner: Learner) -> list[EpisodeResult]:
+    """Load the learner from `path`; the episodes behind it. CheckpointError for another's file."""
+    found = checkpoint.read(path)
+    mine = {"learner": training.learner, "seed": training.seed, **training.settings}
+    theirs = {"learner": found.learner, "seed": found.seed, **found.settings}
+    for name, value in mine.items():
+        if theirs.get(name) != value:
+            raise CheckpointError(
+                f"{path}: of another training: its {name} is {theirs.get(name)}, this one's {value}"
+            )
+    learner.load(part_of(found.state, "learner", path))
+    return episodes_of(found, path)
+
+
+def episodes_of(found: Checkpoint, path: Path) -> list[EpisodeResult]:
+    """The episodes that a checkpoint was written after."""
+    kept = part_of(found.state, "episodes", path)
+    names = [
+        name
+        for entry in found.settings["parts"].split(",")
+        for name, _, count in [entry.rpartition(":")]
+        for _ in range(int(count))
+    ]
+    rows = zip(
+        *(np.asarray(kept[name]).tolist() for name in ("kind", "steps", "seconds")), strict=True
+    )
+    return [
+        EpisodeResult(number, names[number - 1], KINDS[kind], "", steps, seconds)
+        for number, (kind, steps, seconds) in enumerate(rows, 1)
+    ]
+
+
+def part_of(state: State, name: str, path: Path) -> State:
+    """A part of a training's state; CheckpointError when it has none."""
+    found = state.get(name)
+    if not isinstance(found, dict):
+        raise CheckpointError(f"{path}: no '{name}' in it: not a training's checkpoint")
+    return found
