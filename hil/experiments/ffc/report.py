@@ -67,7 +67,7 @@ def _claims(found: Mapping[str, Row]) -> str:
         ("92 % success, 6 % danger, 2 % step limit, in one run of 50 episodes",
          f"{_percent(row.success)}, {_percent(row.danger)}, {_percent(row.step_limit)}",
          "one run says 81 to 97 % (Wilson). Here the box has 847 poses and the mouth takes the "
-         "cable within 0.3 mm; steps along x beside the slot's lip cause nearly all dangers"),
+         "cable within 0.3 mm; steps along the slot cause nearly all dangers"),
         ("about 20 steps after 15 episodes",
          f"five in a row within 20 steps from episode {_plain(row.episodes_to_20_steps)}; "
          f"from the 31st on {_plain(row.late_steps)} steps",
