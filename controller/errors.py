@@ -18,6 +18,10 @@ class Trip(Enum):
     SPEED = "set-point speed"
 
 
+class PartLostError(ControlError):
+    """The jaws no longer feel the part that they were to hold."""
+
+
 class GuardTrip(ControlError):  # noqa: N818  the event's name in the field
     """A limit was passed; what was measured and what is allowed, in the SI unit of the quantity."""
 

@@ -20,9 +20,11 @@ def assembly(
     """Pick up the part, insert it, leave it there; a part that would not go in is put back."""
     if not (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
         return _no_grip(plan)
+    course.carry(gripper.holds)
     ending = yield from episode(course, plan, sensor, policy)
-    if ending.kind is Kind.INSERTED:
-        yield from release(course, gripper, plan.grip)
+    course.carry(None)
+    if ending.kind is Kind.INSERTED and not (yield from release(course, gripper, plan.grip)):
+        return _no_release(plan)
     yield from retract(course, plan.travel)
     if ending.kind is not Kind.INSERTED:
         yield from put_down(course, gripper, plan.part, plan.grip, plan.travel)
@@ -98,6 +100,12 @@ def _limit(course: Course, found: Found) -> Ending:
     if found is Found.GIVEN_UP:
         return Ending(Kind.LIMIT, f"the policy gave up after {course.steps} steps")
     return Ending(Kind.LIMIT, f"no insertion within {course.steps} steps")
+
+
+def _no_release(plan: Plan) -> Ending:
+    return Ending(
+        Kind.FAULT, f"jaws still hold the part {plan.grip.wait} s after opening: not moved away"
+    )
 
 
 def _no_grip(plan: Plan) -> Ending:

@@ -1,6 +1,7 @@
 """The control loop: one read, one decision and one command a period, and a safe end."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TypeAlias
 
 from controller.course import Course, Phase
@@ -61,7 +62,8 @@ class Loop:
         except (ControlError, DriverError) as error:
             return self._stopped(error, course.steps if course else 0)
         except BaseException:
-            self._arm.stop()
+            with suppress(DriverError):  # a dead link must not hide what went wrong
+                self._arm.stop()
             raise
         return Outcome(ending.kind, ending.reason, course.steps, self._cycles, self._misses)
 

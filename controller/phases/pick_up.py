@@ -28,13 +28,14 @@ def pick_up(
 def put_down(
     course: Course, gripper: Gripper, part: Place, grip: Grip, travel: Travel
 ) -> Phase[bool]:
-    """Bring the part back to its fixture; False when the jaws did not let go."""
+    """Bring the part back to its fixture; False, and no further, when the jaws did not let go."""
     course.name = "put down"
     above = part.moved(dz=grip.height)
     yield from via(course, above, travel)
     yield from move(course, part, travel)
     released = yield from _let_go(course, gripper, grip)
-    yield from move(course, above, travel)
+    if released:
+        yield from move(course, above, travel)
     return released
 
 

@@ -12,6 +12,10 @@ from controller.settings import Plan, Press, Search
 CALM = 0.032
 """s: how long force and speed stay in their bands before a step counts as settled."""
 
+REFUSALS = 5
+"""Actions in a row that are none, after which the policy counts as broken and the search ends."""
+_ACTIONS = frozenset(map(int, Action))
+
 
 class Found(Enum):
     """Why the search ended."""
@@ -36,13 +40,35 @@ def take_step(
     course: Course, axis: ForceAxis | None, policy: Policy, search: Search
 ) -> Phase[bool]:
     """One ramped step, pressing or (without axis) hovering; False when the policy gives up."""
-    action = policy.choose(observation(course.cycle))
+    action = accepted(course, policy.choose(observation(course.cycle)))
     if action is None:
-        return False
+        return course.refused < REFUSALS and (yield from _wait(course, axis))
     course.steps += 1
     for dx, dy, dtheta in ramp(*step_of(course, action, search), ramp_periods(course.period)):
         held = axis.follow(course) if axis else course.setpoint
         yield from course.to(held.moved(dx, dy, 0.0, dtheta))
+    return True
+
+
+def accepted(course: Course, chosen: object) -> Action | None:
+    """The policy's action, if it is one of Eq. 2; whatever else it gave is refused and counted.
+
+    Types are checked as the program runs: a learner's bug, or its NaN, ends here.
+    """
+    if chosen is None:
+        course.refused = REFUSALS  # it gives up
+        return None
+    if isinstance(chosen, int) and not isinstance(chosen, bool) and chosen in _ACTIONS:
+        course.refused = 0
+        return Action(chosen)
+    course.refused += 1
+    return None
+
+
+def _wait(course: Course, axis: ForceAxis | None) -> Phase[bool]:
+    """Hold the target, still pressing, for as long as a step would have taken."""
+    for _ in range(ramp_periods(course.period)):
+        yield from course.to(axis.follow(course) if axis else course.setpoint)
     return True
 
 

@@ -71,6 +71,7 @@ class UrArm:
         self._sequence = 0
         self._awaited = False  # a command is out whose package has not been read
         self._t = _NEVER
+        self._cycle = 0  # of the motion program, as it was last heard
         self._actual: Vector6 = _NOWHERE
         self._set_point: Vector6 | None = None
         self._mask = 0
@@ -199,7 +200,7 @@ class UrArm:
 
     def _send(self, command: Command, pose: Vector6) -> None:
         self._sequence = (self._sequence + 1) & SEQUENCE_MASK
-        values = (command, self._sequence, *pose, self._mask, self._outputs)
+        values = (command, self._sequence, *pose, self._mask, self._outputs, self._cycle)
         package = self._rtde.pack(values)
         if self._tap is not None:
             self._tap(max(self._t, 0), True, package)
@@ -215,7 +216,7 @@ class UrArm:
             raise ProtocolError(f"controller time is {sample.timestamp} s") from None
         if t < self._t:
             raise LinkError(f"controller time went back from {self._t} to {t} ns; it restarted")
-        self._t = t
+        self._t, self._cycle = t, sample.cycle
         self._actual = sample.pose
         if self._tap is not None:
             self._tap(t, False, encode(PackageType.DATA, self._rtde.received))

@@ -36,7 +36,8 @@ class ServoProgram:
 
     tcp: TCP in the flange's frame, m and rad. mass: kg. centre_of_gravity: in the flange's frame,
     m. lookahead: s, 0.03..0.2. gain: 100..2000 (script manual, servoj). deceleration: of a stop,
-    rad/s^2. silence: s without a new command after which the robot stops by itself.
+    rad/s^2. silence: s after which the robot stops by itself for want of a fresh command; one is
+    as old as the package that it answers.
     """
 
     tcp: Vector6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)

@@ -21,6 +21,7 @@ OUTPUTS: Final = (
     "actual_digital_output_bits",
     "output_int_register_24",
     "output_int_register_25",
+    "output_int_register_26",
 )
 
 INPUTS: Final = (
@@ -29,11 +30,15 @@ INPUTS: Final = (
     *(f"input_double_register_{n}" for n in range(24, 30)),
     "standard_digital_output_mask",
     "standard_digital_output",
+    "input_int_register_26",
 )
 
 
 class Sample(NamedTuple):
-    """The values of OUTPUTS in their order; timestamp in s, echo and program from the registers."""
+    """The values of OUTPUTS in their order; timestamp in s.
+
+    echo, program, cycle: what the motion program says: sequence heard, state, cycles run.
+    """
 
     timestamp: float
     q: Vector6
@@ -47,6 +52,7 @@ class Sample(NamedTuple):
     outputs: int
     echo: int
     program: int
+    cycle: int
 
     @property
     def t(self) -> int:
@@ -96,7 +102,7 @@ def fault(sample: Sample) -> RobotStateError:
     if sample.robot_mode != RobotMode.RUNNING:
         return RobotStateError(f"robot mode is {_name(RobotMode, sample.robot_mode)}, not RUNNING")
     if sample.program == ProgramState.SILENCE:
-        return RobotStateError("the motion program ended itself: commands fell silent")
+        return RobotStateError("the motion program ended itself: commands fell silent or late")
     state = _name(RuntimeState, sample.runtime_state)
     return RobotStateError(f"the motion program does not run (runtime state {state})")
 

@@ -26,6 +26,8 @@ from hil.cell.serve import Doors
 from hil.cell.streams import stream
 
 NS = 1_000_000_000
+LIMIT = 5.0
+"""Wall s of silence after which the arm's links count as dead."""
 
 
 class NearSide(NamedTuple):
@@ -36,19 +38,24 @@ class NearSide(NamedTuple):
     gripper: DigitalGripper
 
 
-def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
-    """The rig's drivers for a cell behind these doors; tap hears every RTDE data package."""
+def drivers(rig: Rig, doors: Doors, tap: Tap | None = None, limit: float = LIMIT) -> NearSide:
+    """The rig's drivers for a cell behind these doors; tap hears every RTDE data package.
+
+    limit: wall s of silence after which a link counts as dead.
+    """
     ports, tool = doors.ports, rig.tool
     program = ServoProgram(
         tcp=(0.0, 0.0, tool.length, 0.0, 0.0, 0.0),
         mass=tool.mass,
         centre_of_gravity=(0.0, 0.0, tool.centre_of_mass),
+        silence=rig.limits.command_age,
     )
     arm = UrArm(
         doors.host,
         UrPorts(ports["rtde"], ports["dashboard"], ports["secondary"]),
         program=program,
         rate=rig.robot.rate,
+        limit=limit,
         tap=tap,
     )
     jaws = rig.robot.jaws
@@ -56,9 +63,11 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None) -> NearSide:
 
 
 @contextmanager
-def near_side(rig: Rig, doors: Doors, tap: Tap | None = None) -> Iterator[NearSide]:
+def near_side(
+    rig: Rig, doors: Doors, tap: Tap | None = None, limit: float = LIMIT
+) -> Iterator[NearSide]:
     """The rig's drivers, closed at the end whatever happened to them: the arm first."""
-    near = drivers(rig, doors, tap)
+    near = drivers(rig, doors, tap, limit)
     with ExitStack() as stack:
         stack.callback(near.sensor.close)
         stack.callback(near.arm.close)

@@ -10,6 +10,7 @@ from hil.cli import (
     experiment,
     falsify,
     faults,
+    faulty,
     recordings,
     rig,
     training,
@@ -36,6 +37,7 @@ def build() -> typer.Typer:
     app.command()(falsify.falsify)
     app.command()(falsify.shrink)
     app.command()(bench.bench)
+    app.command()(faulty.coverage)
     app.command()(doctor.doctor)
     app.add_typer(rig.build(), name="rig")
     app.add_typer(faults.build(), name="faults")

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from hil.cli import campaign, envelope, force, learning, peg
+from hil.cli import campaign, envelope, faulty, force, learning, peg
 from hil.cli.errors import FAILED
 from hil.cli.options import DEFAULT_RIG, Json, PartName, PolicyName, PolicyOption, RigOption, Seed
 
@@ -25,6 +25,7 @@ def build() -> typer.Typer:
     app.command()(force.stability_map)
     app.command()(envelope.envelope)
     app.command()(envelope.law_cost)
+    app.command("faults")(faulty.experiment)
     return app
 
 

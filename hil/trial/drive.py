@@ -1,36 +1,41 @@
 """The near side of a trial: brought up, driven through a job, left; each step told to a sampler."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from math import isfinite
 from struct import Struct
-from typing import Final, Protocol
+from typing import Final
 
 from controller.action import Policy
 from controller.course import Course, Phase
+from controller.cycle import Cycle
 from controller.job import assembly
 from controller.loop import Loop
 from controller.outcome import Ending, Outcome
 from controller.settings import Plan
 from controller.start import bring_up
 from drivers.errors import DriverError
-from drivers.interfaces import SensorHealth
+from drivers.ur.arm import UrArm
 from drivers.ur.program import Command
 from hil.app.near import NearSide, limits, task_frame
 from hil.cell.rig import Rig
 from hil.trial.sampler import Sampler
 
-_HEAD: Final = Struct(">3xBii")
-"""Size and type of an RTDE package, its recipe; command and sequence, the recipe's first inputs."""
+_HEAD: Final = Struct(">4xii6d")
+"""Head of an RTDE package; command, sequence and set-point: the recipe's first inputs."""
 
 
 class Overtime(BaseException):
     """The run has used up its bench time."""
 
 
-class Told(Protocol):
-    """Who else hears where the job stands, before each command: the cell's injection."""
+Attend = Callable[[Cycle, Course, UrArm], None]
+"""Who else sees each cycle before its command: faults of this process, and the cell's own."""
 
-    def __call__(self, phase: str, episode: int) -> None: ...
+
+def unattended(cycle: Cycle, course: Course, arm: UrArm) -> None:
+    """Nobody."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +51,10 @@ class Driven:
 class Driver:
     """One near side on its way through a run."""
 
-    def __init__(self, rig: Rig, sampler: Sampler, longest: int, tell: Told) -> None:
+    def __init__(self, rig: Rig, sampler: Sampler, longest: int) -> None:
         """longest: ns of bench time after which a run counts as a hang."""
-        self._rig, self._sampler, self._longest, self._tell = rig, sampler, longest, tell
+        self._rig, self._sampler, self._longest = rig, sampler, longest
+        self.attend: Attend = unattended
         self._began: int | None = None
 
     def heard(self, t: int, sent: bool, package: bytes) -> None:
@@ -58,10 +64,9 @@ class Driver:
             if t - self._began > self._longest:
                 raise Overtime
             return
-        _, command, sequence = _HEAD.unpack_from(package)
-        self._sampler.command(sequence, t)
-        self._sampler.stopping = command != Command.SERVO
-        self._tell(self._sampler.phase, self._sampler.episode)
+        command, sequence, *pose = _HEAD.unpack_from(package)
+        self._sampler.finite = all(map(isfinite, pose))
+        self._sampler.command(sequence, t, stopping=command != Command.SERVO)
 
     def run(self, near: NearSide, plan: Plan, policy: Policy) -> Driven:
         """Everything from power-up to the arm at rest; raises nothing."""
@@ -85,16 +90,19 @@ class Driver:
         loop = Loop(near.arm, near.sensor, task_frame(self._rig))
         sampler.episode, sampler.running = 1, True
         job = partial(assembly, plan=plan, sensor=near.sensor, gripper=near.gripper, policy=policy)
-        outcome = loop.run(lambda course: self._sampled(course, job(course)), limits(self._rig))
+        outcome = loop.run(
+            lambda course: self._sampled(course, job(course), near.arm), limits(self._rig)
+        )
         sampler.running = False
         return outcome
 
-    def _sampled(self, course: Course, job: Phase[Ending]) -> Phase[Ending]:
+    def _sampled(self, course: Course, job: Phase[Ending], arm: UrArm) -> Phase[Ending]:
         """The job, each cycle sampled before its command lets the cell move on."""
         try:
             setpoint = next(job)
             while True:
                 self._sampler.cycle(course.cycle, course)
+                self.attend(course.cycle, course, arm)
                 setpoint = job.send((yield setpoint))
         except StopIteration as end:
             ending: Ending = end.value
@@ -104,8 +112,3 @@ class Driver:
         self._longest = 1 << 62
         near.arm.close()
         near.sensor.close()
-
-
-def health(near: NearSide) -> SensorHealth:
-    """What the sensor's driver has counted."""
-    return near.sensor.health

@@ -6,7 +6,7 @@ releases the next period. In lockstep they take turns, so a row is the same on e
 
 from collections import deque
 from collections.abc import Callable, Sequence
-from math import dist, hypot, isfinite
+from math import dist, hypot
 from typing import Final
 
 from controller.course import Course
@@ -21,7 +21,6 @@ from hil.trial.trace import Trace, trace
 from hil.trial.truth import Push, Vector4
 
 _COMMAND, _SEQUENCE = 24, 25
-_TARGET: Final = slice(24, 30)
 _SAFE: Final = (SafetyMode.NORMAL, SafetyMode.REDUCED)
 REMEMBERED: Final = 4096
 """Commands whose time of reading is known: 8 s of them at 500 Hz."""
@@ -37,11 +36,12 @@ def no_faults() -> tuple[int, bool]:
 class Sampler:
     """far: its `tick` is the cell's observer. near: `command`, `cycle` and `stopping`."""
 
-    def __init__(self, rig: Rig, faults: Forces = no_faults) -> None:
+    def __init__(self, rig: Rig) -> None:
         self._bound = rig.limits.force_bound
         self._length = rig.tool.length
         self._push = Push(rig.tool.mass, rig.robot.period)
-        self._faults = faults
+        self.faults: Forces = no_faults
+        self.noticed: int | None = None
         self._rows: list[tuple[float, ...]] = []
         self._phases: list[str] = []
         self._reads: deque[tuple[int, int]] = deque(maxlen=REMEMBERED)
@@ -50,11 +50,15 @@ class Sampler:
         self.bench: Bench | None = None
         self.phase, self.episode = "start", 0
         self.running = self.stopping = False
+        self.finite = True
         self._measured: Vector4 = (0.0, 0.0, 0.0, 0.0)
         self._age, self._steps = 0, 0
 
-    def command(self, sequence: int, read: int) -> None:
+    def command(self, sequence: int, read: int, *, stopping: bool) -> None:
         """The near side sent this command, knowing the package of controller time `read`, ns."""
+        self.stopping = stopping
+        if self.running and stopping and self.noticed is None:
+            self.noticed = read
         self._commands += 1
         self._reads.append((sequence, read))
 
@@ -70,7 +74,7 @@ class Sampler:
         if bench is None:
             return
         force = self._push.take(tick.truth)
-        faults, owed = self._faults()
+        faults, owed = self.faults()
         (vx, vy, vz, turning), part = tick.truth.velocity, tick.truth.part
         row = (
             tick.t * 1e-9,
@@ -85,7 +89,7 @@ class Sampler:
             *self._robot(bench, tick.t),
             hypot(vx, vy, vz),
             abs(turning),
-            float(all(map(isfinite, bench.arm.box.registers.inputs.floats[_TARGET]))),
+            float(self.finite),
             float(bench.arm.box.modes.safety in _SAFE),
             float(faults),
             float(owed),

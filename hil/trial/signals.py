@@ -37,7 +37,7 @@ SIGNALS: Final = (
     Signal("turn", "rad", 1e-2, "turn of the tool's target in this period"),
     Signal("speed", "m/s", 1e-2, "true speed of the TCP"),
     Signal("turning", "rad/s", 1e-1, "true rate of turn of the TCP"),
-    Signal("finite", "", 1.0, "1 while every applied set-point is finite"),
+    Signal("finite", "", 1.0, "1 while the near side sends finite set-points"),
     Signal("safe", "", 1.0, "1 while the robot's safety mode is normal or reduced"),
     Signal("fault", "", 1.0, "faults in force"),
     Signal("owed", "", 1.0, "1 while a fault is in force that has to stop the arm"),

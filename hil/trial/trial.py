@@ -1,6 +1,8 @@
 """One run of a rig under a schedule of faults: the whole of it, from power-up to a verdict."""
 
+from contextlib import ExitStack
 from dataclasses import dataclass, field
+from functools import partial
 from hashlib import sha256
 from typing import Final
 
@@ -8,15 +10,21 @@ from controller.action import Policy
 from controller.outcome import Outcome
 from drivers.errors import DriverError
 from drivers.interfaces import SensorHealth
+from hil.app.faulty import events
+from hil.app.host_faults import HostFaultError, HostFaults, split
 from hil.app.inline import InlineCell
+from hil.app.learner_faults import FaultyPolicy
 from hil.app.near import near_side, part_named, start_plan
 from hil.app.policy import policy as named_policy
 from hil.cell.errors import CellError
 from hil.cell.faults.log import FaultEvent, idle
-from hil.cell.faults.schedule import Schedule
+from hil.cell.faults.schedule import Numbered, Schedule
 from hil.cell.rig import Rig
 from hil.trial.always import monitors
 from hil.trial.drive import Driven, Driver
+from hil.trial.figures import Figures, figures
+from hil.trial.fmea import load
+from hil.trial.owed import Owed
 from hil.trial.sampler import Sampler
 from hil.trial.trace import Trace
 from hil.trial.verdict import Judgement, Verdict, Violation, judge
@@ -24,6 +32,8 @@ from hil.trial.verdict import Judgement, Verdict, Violation, judge
 NS: Final = 1_000_000_000
 LONGEST: Final = 120.0
 """Bench seconds of a run; an insertion takes 10 to 60."""
+PATIENCE: Final = 15.0
+"""Wall s of silence on a link that are no dead link: campaigns share their machine."""
 AFTERMATH: Final = 1.0
 """Bench seconds that the cell goes on without its host: longer than any stop may take."""
 
@@ -44,6 +54,7 @@ class Trial:
     error: str
     trace: Trace
     events: tuple[FaultEvent, ...]
+    faults: tuple[Figures, ...]
     robustness: dict[str, float]
     violations: tuple[Violation, ...]
     health: SensorHealth | None
@@ -79,20 +90,29 @@ def run_trial(
     Raises RigError and FaultError for what cannot be run at all, and nothing else.
     """
     plan = start_plan(rig, part_named(rig, part or rig.first_part), seed)
-    sampler = Sampler(rig)
-    with InlineCell(rig, seed, "lockstep", observe=sampler.tick) as cell:
+    driver = Driver(rig, sampler := Sampler(rig), round(longest * NS))
+    with ExitStack() as stack:
+        far, host = _faults(rig, seed, schedule, stack)
+        opened = InlineCell(rig, seed, "lockstep", faults=far, observe=sampler.tick)
+        cell = stack.enter_context(opened)
         sampler.bench = cell.served.bench
-        driver = Driver(rig, sampler, round(longest * NS), lambda phase, episode: None)
-        with near_side(rig, cell.doors, driver.heard) as near:
-            chosen = policy if not isinstance(policy, str) else None
-            chosen = chosen or named_policy(str(policy), plan, seed, cell)
+        with near_side(rig, cell.doors, driver.heard, PATIENCE) as near:
+            chosen = named_policy(policy, plan, seed, cell) if isinstance(policy, str) else policy
+            if host is not None and schedule is not None:
+                logs = partial(events, cell.served), lambda: host.events
+                sampler.faults = Owed(schedule.numbered(seed), load(), *logs)
+                driver.attend = lambda cycle, course, arm: host.attend(cycle, course, cell, arm)
+                chosen = FaultyPolicy(chosen, host)
             driven = driver.run(near, plan, chosen)
             health = near.sensor.health
         died = _aftermath(cell, rig)
-        events: tuple[FaultEvent, ...] = ()
+        if host is not None:
+            host.news()
+        told = events(cell.served) + (host.events if host is not None else ())
         log = cell.served.bench.arm.log
+    told = tuple(sorted(told, key=lambda event: event.t))
     judgement = judge(sampler.trace, monitors(rig))
-    verdict, reason = _verdict(driven, died, judgement, events)
+    verdict, reason = _verdict(driven, died, judgement, told)
     return Trial(
         seed=seed,
         schedule=schedule,
@@ -101,13 +121,24 @@ def run_trial(
         outcome=driven.outcome,
         error=_words(driven.error),
         trace=sampler.trace,
-        events=events,
+        events=told,
+        faults=figures(sampler.trace, told, sampler.noticed),
         robustness=judgement.robustness,
         violations=judgement.violations,
         health=health,
         log=log,
         period=rig.robot.period,
     )
+
+
+def _faults(
+    rig: Rig, seed: int, schedule: Schedule | None, stack: ExitStack
+) -> tuple[Numbered | None, HostFaults | None]:
+    """The cell's faults and those of the near side's process."""
+    if schedule is None:
+        return None, None
+    far, near = split(schedule.numbered(seed), rig, recorded=False)
+    return far, stack.enter_context(HostFaults(near, seed, rig.robot.period, "lockstep"))
 
 
 def _aftermath(cell: InlineCell, rig: Rig) -> BaseException | None:
@@ -127,6 +158,7 @@ def _verdict(
 ) -> tuple[Verdict, str]:
     """The gravest first: what crashed cannot be judged, what is unsafe need not be proven."""
     wild = driven.error is not None and not isinstance(driven.error, DriverError | CellError)
+    killed = isinstance(driven.error, HostFaultError)
     waiting = ", ".join(kind for _, kind in idle(events))
     ended = driven.outcome
     found = (
@@ -135,6 +167,7 @@ def _verdict(
         (judgement.violations, Verdict.FAILED, "; ".join(map(str, judgement.violations))),
         (driven.overtime, Verdict.HANG, "the job did not end within its bench time"),
         (waiting, Verdict.VACUOUS, f"armed, but without any effect: {waiting}"),
+        (killed, Verdict.PASSED, f"{driven.error}: the robot stood without its host"),
         (ended is None, Verdict.BLOCKED, _words(driven.error)),
     )
     for holds, verdict, reason in found:

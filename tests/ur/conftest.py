@@ -30,7 +30,7 @@ class TinyRobot:
         self.period = 0.008
         self.robot_mode, self.safety_mode, self.runtime_state = 3, 1, 1
         self.pose = (0.4, -0.1, 0.2, 0.0, 3.1, 0.0)
-        self.echo, self.program = 57, 2  # left behind by an earlier program
+        self.echo, self.program, self.cycle = 57, 2, 900  # left behind by an earlier program
         self.starts_programs = True
         self.silent = False
         self.extra = b""  # sent before each data package
@@ -46,6 +46,7 @@ class TinyRobot:
         self.robot_mode = {4: 5, 6: 7}.get(self.robot_mode, self.robot_mode)
         if self.runtime_state == 2:
             self.echo, self.program = sequence, 2 if command == 1 else 1
+            self.cycle += 1
             if command == 3:
                 self.runtime_state, self.program = 1, 0
             if command == 1:
@@ -56,7 +57,7 @@ class TinyRobot:
         return (
             *(self.t, zero, self.pose, self.pose, zero),
             *(self.robot_mode, self.safety_mode, self.runtime_state, 0b100, 0),
-            *(self.echo, self.program),
+            *(self.echo, self.program, self.cycle),
         )
 
     # the three doors
@@ -67,7 +68,7 @@ class TinyRobot:
             self.start()
 
     def start(self):
-        self.runtime_state = 2
+        self.runtime_state, self.cycle = 2, 0
 
     def dashboard(self, line):
         self.dashboard_lines.append(line)

@@ -107,6 +107,15 @@ def test_a_set_point_that_is_not_finite_is_never_sent(connected, robot, bad, axi
     assert len(robot.commands) == sent + 1
 
 
+def test_a_command_names_the_programs_cycle_that_it_answers(connected, robot):
+    cycles = []
+    for _ in range(3):
+        cycles.append(robot.cycle)
+        connected.hold()
+        connected.read()
+    assert [command[10] for command in robot.commands[-3:]] == cycles
+
+
 def test_hold_repeats_the_last_set_point(connected, robot):
     connected.servo(POSE)
     connected.read()
@@ -139,7 +148,7 @@ def test_an_output_goes_with_the_next_command_and_stays(connected, robot):
     for _ in range(2):
         connected.hold()
         connected.read()
-        assert robot.commands[-1][8:] == (0b100100, 0b100)
+        assert robot.commands[-1][8:10] == (0b100100, 0b100)
 
 
 @pytest.mark.parametrize("bit", [-1, 8])
@@ -335,7 +344,7 @@ def test_silence_is_a_timeout(served, robot):
 def test_a_package_of_another_size_is_a_protocol_error(connected, robot):
     robot.extra = b""
     robot.out_recipe = robot.in_recipe
-    robot.values = lambda: (0,) * 10
+    robot.values = lambda: (0,) * 11
     connected.hold()
     with pytest.raises(ProtocolError, match="the recipe has"):
         connected.read()

@@ -1,0 +1,68 @@
+"""Single faults: each one of the catalogue in each of its phases, or random ones."""
+
+from collections.abc import Iterator
+from math import isfinite
+from typing import Final
+
+import numpy as np
+
+from hil.cell.faults.catalogue import CATALOGUE
+from hil.cell.faults.event import Event, Kind
+from hil.cell.faults.row import Parameter, Phase, Place, Row, Value
+from hil.cell.faults.schedule import Fault
+from hil.cell.faults.span import Span
+from hil.cell.faults.trigger import Trigger
+
+ELSEWHERE: Final = ("H4", "L3", "L4")
+"""Rows that an assembly without recording and without a parallel learner has no place for."""
+SPREAD: Final = 4.0
+"""Random parameters lie within this factor of their defaults, and within their ranges."""
+LATEST: Final = 60
+"""Control periods after the phase has begun, by which a random fault begins."""
+LONGEST: Final = 250
+"""Control periods that half of the random lasting faults last at most; the others do to the end."""
+
+
+def rows() -> tuple[Row, ...]:
+    """Rows that a run of an assembly has a place for."""
+    return tuple(
+        row for row in CATALOGUE if row.place is not Place.AGENTS and row.id not in ELSEWHERE
+    )
+
+
+def each() -> Iterator[tuple[Fault, Phase]]:
+    """Every fault with its defaults in every phase where it makes sense, soon after that begins."""
+    for row in rows():
+        for phase in row.phases:
+            yield Fault(row.id, {}, _trigger(row, phase, 3)), phase
+
+
+def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
+    """One fault with random parameters, phase, moment and length."""
+    known = rows()
+    row = known[rng.integers(len(known))]
+    phase = row.phases[rng.integers(len(row.phases))]
+    values = {parameter.name: _value(parameter, rng) for parameter in row.parameters}
+    brief = row.lasting and not row.start and rng.random() < 0.5
+    lasts = Span(cycles=int(rng.integers(1, LONGEST))) if brief else None
+    return Fault(row.id, values, _trigger(row, phase, int(rng.integers(LATEST))), lasts), phase
+
+
+def _trigger(row: Row, phase: Phase, after: int) -> Trigger:
+    if row.start:
+        return Trigger()
+    return Trigger(event=Event(Kind.PHASE, phase.value), offset=Span(cycles=after))
+
+
+def _value(parameter: Parameter, rng: np.random.Generator) -> Value:
+    default = parameter.default
+    if parameter.choices or isinstance(default, str):
+        return parameter.choices[rng.integers(len(parameter.choices))]
+    low, high = parameter.low, parameter.high
+    if default == 0.0:
+        # Zero switches an effect off; a tenth of a bounded range switches it on.
+        bounded = isfinite(low) and isfinite(high) and high <= 1.0
+        return float(rng.uniform(low, high)) * 0.1 if bounded and rng.random() < 0.5 else 0.0
+    factor = SPREAD ** rng.uniform(-1.0, 1.0)
+    value = min(max(default * factor, low), high)
+    return float(round(value)) if parameter.whole else float(value)

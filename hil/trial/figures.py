@@ -1,0 +1,76 @@
+"""The four figures of a fault: how long until it was noticed, answered, stood still; how hard."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from hil.cell.faults.log import FaultEvent, Stage
+from hil.trial.always import REST_SPEED, REST_TURN
+from hil.trial.trace import Trace
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """Bench seconds from the fault's first effect; None for what did not happen.
+
+    detection: until the near side, or the robot's program, gave up servoing. reaction: until the
+    robot had its first safe command, or had stopped by itself. stop: until it stood for good.
+    exposure: largest true |f| / f_b since. over: seconds of it above 1. phase: it became active in.
+    recovery: until the job went on after a stop; None where it did not.
+    """
+
+    kind: str
+    index: int
+    active: float
+    phase: str
+    detection: float | None
+    reaction: float | None
+    stop: float | None
+    exposure: float
+    over: float
+    recovery: float | None = None
+
+
+def figures(trace: Trace, events: Iterable[FaultEvent], noticed: int | None) -> tuple[Figures, ...]:
+    """Of each fault that was active. noticed: arm time of the near side's stop, ns."""
+    active = (event for event in events if event.stage is Stage.ACTIVE)
+    return tuple(_figures(trace, event, noticed) for event in active)
+
+
+def _figures(trace: Trace, event: FaultEvent, noticed: int | None) -> Figures:
+    t, begin = trace["t"], event.t * 1e-9
+    first = int(np.searchsorted(t, begin))
+    since = slice(min(first, len(t) - 1), None)
+    stopping = trace["stopping"][since] > 0.5
+    force = trace["force"][since]
+    reaction = _first(t[since], stopping, begin)
+    seen = None if noticed is None or noticed * 1e-9 < begin else noticed * 1e-9 - begin
+    known = [latency for latency in (seen, reaction) if latency is not None]
+    step = float(np.median(np.diff(t))) if len(t) > 1 else 0.0
+    return Figures(
+        event.kind,
+        event.index,
+        begin,
+        trace.phases[since.start],
+        min(known, default=None),
+        reaction,
+        None if reaction is None else _stood(trace, since, begin),
+        float(force.max()),
+        float((force > 1.0).sum()) * step,
+    )
+
+
+def _first(t: np.ndarray, holds: np.ndarray, begin: float) -> float | None:
+    at = np.flatnonzero(holds)
+    return max(0.0, float(t[at[0]]) - begin) if len(at) else None
+
+
+def _stood(trace: Trace, since: slice, begin: float) -> float | None:
+    """When the arm last moved; None where it still does at the end."""
+    moving = (trace["speed"][since] > REST_SPEED) | (trace["turning"][since] > REST_TURN)
+    at = np.flatnonzero(moving)
+    if not len(at):
+        return 0.0
+    last, t = int(at[-1]), trace["t"][since]
+    return None if last + 1 >= len(t) else max(0.0, float(t[last + 1]) - begin)
