@@ -82,22 +82,24 @@ class Driver:
         except Exception as error:  # whatever escapes the near side is the verdict's to judge
             return Driven(None, error, started, overtime=False)
         finally:
-            self._sampler.running = False
+            self._sampler.leaving = True
             self._leave(near)
+            self._sampler.running = False
 
     def _work(self, near: NearSide, plan: Plan, policy: Policy) -> Outcome:
-        sampler = self._sampler
         loop = Loop(near.arm, near.sensor, task_frame(self._rig))
-        sampler.episode, sampler.running = 1, True
         job = partial(assembly, plan=plan, sensor=near.sensor, gripper=near.gripper, policy=policy)
-        outcome = loop.run(
+        return loop.run(
             lambda course: self._sampled(course, job(course), near.arm), limits(self._rig)
         )
-        sampler.running = False
-        return outcome
 
     def _sampled(self, course: Course, job: Phase[Ending], arm: UrArm) -> Phase[Ending]:
-        """The job, each cycle sampled before its command lets the cell move on."""
+        """The job, each cycle sampled before its command lets the cell move on.
+
+        So are its beginning and its end: told while a command is under way, they would fall into
+        the one period or the next as the threads happen to run.
+        """
+        self._sampler.episode, self._sampler.running = 1, True
         try:
             setpoint = next(job)
             while True:
@@ -105,6 +107,7 @@ class Driver:
                 self.attend(course.cycle, course, arm)
                 setpoint = job.send((yield setpoint))
         except StopIteration as end:
+            self._sampler.running = False
             ending: Ending = end.value
             return ending
 

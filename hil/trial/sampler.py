@@ -34,7 +34,10 @@ def no_faults() -> tuple[int, bool]:
 
 
 class Sampler:
-    """far: its `tick` is the cell's observer. near: `command`, `cycle` and `stopping`."""
+    """far: its `tick` is the cell's observer. near: `command`, `cycle` and `stopping`.
+
+    leaving: the near side has done its work; its next command is no longer part of it.
+    """
 
     def __init__(self, rig: Rig) -> None:
         self._bound = rig.limits.force_bound
@@ -50,13 +53,14 @@ class Sampler:
         self.bench: Bench | None = None
         self.phase, self.episode = "start", 0
         self.running = self.stopping = False
-        self.finite = True
+        self.finite, self.leaving = True, False
         self._measured: Vector4 = (0.0, 0.0, 0.0, 0.0)
         self._age, self._steps = 0, 0
 
     def command(self, sequence: int, read: int, *, stopping: bool) -> None:
         """The near side sent this command, knowing the package of controller time `read`, ns."""
         self.stopping = stopping
+        self.running = self.running and not self.leaving
         if self.running and stopping and self.noticed is None:
             self.noticed = read
         self._commands += 1
