@@ -48,7 +48,7 @@ def test_a_command_that_travels_takes_effect_in_the_same_period_begun_ahead_or_n
     with cell, ThreadPoolExecutor(1) as pool:
         running = pool.submit(cell.lockstep, done.is_set, ignore)
         said.open()
-        heard = [(said.send((0xFF, value)), said.read_newest())[1] for value in bits]
+        heard = [(said.put(said.pack((0xFF, value))), said.read_newest())[1] for value in bits]
         done.set()
         running.result()
         said.close()

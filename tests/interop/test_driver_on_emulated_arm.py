@@ -92,12 +92,12 @@ def test_the_program_stops_the_arm_when_commands_fall_silent(arm, emulated):
     other.open()
     periods = int(0.3e9) // emulated.period
     for k in range(periods):  # somebody else keeps the cell going
-        other.send((k,))
+        other.put(other.pack((k,)))
         other.read_newest()
     other.close()
     with pytest.raises(RobotStateError, match="fell silent"):
         read_on(arm, periods)
-    assert any("no command for 200 ms" in text for _, text in emulated.controller.log)
+    assert any("no fresh command for 200 ms" in text for _, text in emulated.controller.log)
 
 
 def test_a_second_driver_is_told_what_is_in_use(arm, emulated):
