@@ -47,11 +47,13 @@ def test_a_command_that_travels_takes_effect_in_the_same_period_begun_ahead_or_n
     done = Event()
     with cell, ThreadPoolExecutor(1) as pool:
         running = pool.submit(cell.lockstep, done.is_set, ignore)
-        said.open()
-        heard = [(said.put(said.pack((0xFF, value))), said.read_newest())[1] for value in bits]
-        done.set()
+        try:
+            said.open()
+            heard = [(said.put(said.pack((0xFF, value))), said.read_newest())[1] for value in bits]
+        finally:
+            done.set()
+            said.close()
         running.result()
-        said.close()
     period = rig.robot.period * 1e-9
     # Sent at the end of one period, it travels through the second and acts from the third on.
     expected = [(k + 1) * period for k in range(len(bits))]
