@@ -12,7 +12,7 @@ from hil.cell.errors import DoorError
 from hil.cell.rig.sensor import CanBus
 from hil.cell.sensor.can_interfaces import free_udp_port, up_can_interfaces
 from hil.cell.sensor.multicast_bus import BatchMulticastBus
-from hil.cell.sensor.shared_bus import SharedVirtualBus
+from hil.cell.sensor.shared_bus import SharedVirtualBus, message
 
 Say: TypeAlias = Callable[[str], None]
 
@@ -49,7 +49,7 @@ class Gateway:
                 self._bus.send_frames(frames)
             else:
                 for frame in frames:
-                    self._bus.send(_message(frame))
+                    self._bus.send(message(frame))
         except (can.CanError, OSError) as error:
             raise DoorError(f"{self.describe()}: cannot send: {error}") from error
 
@@ -129,13 +129,6 @@ def _unique_channel(interface: str) -> str:
         return f"hil-{uuid4().hex[:8]}"
     port = free_udp_port()
     return f"239.74.{port >> 8}.{port & 0xFF}:{port}"
-
-
-def _message(frame: CanFrame) -> can.Message:
-    id, data, fd = frame
-    return can.Message(
-        arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
-    )
 
 
 def _is_data(message: can.Message) -> bool:

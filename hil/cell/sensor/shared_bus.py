@@ -8,6 +8,14 @@ from can.interfaces.virtual import VirtualBus
 from drivers.protocol.frame import CanFrame
 
 
+def message(frame: CanFrame) -> can.Message:
+    """A standard frame in python-can's words."""
+    id, data, fd = frame
+    return can.Message(
+        arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
+    )
+
+
 class SharedVirtualBus(VirtualBus):
     """Receivers get the very messages that were sent, where `VirtualBus` makes each a deep copy.
 
@@ -32,14 +40,7 @@ class SharedVirtualBus(VirtualBus):
 
     def send_frames(self, frames: Sequence[CanFrame]) -> None:
         """Put standard frames on the bus in order, a message made anew for each."""
-        self.send_all(
-            [
-                can.Message(
-                    arbitration_id=id, data=data, is_extended_id=False, is_fd=fd, bitrate_switch=fd
-                )
-                for id, data, fd in frames
-            ]
-        )
+        self.send_all([message(frame) for frame in frames])
 
     def send_all(self, messages: Sequence[can.Message]) -> None:
         """Put messages on every other bus of the channel, all at once."""
