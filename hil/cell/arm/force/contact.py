@@ -47,11 +47,11 @@ class ContactHistory:
 
         0 without a contact; a direction of length 0 means any.
         """
-        wrench = self._estimate.wrench
-        if _resistance(wrench, direction) < self.threshold:
+        if _resistance(self._estimate.wrench, direction) < self.threshold:
             return 0
-        # The estimate's offset is constant over a contact: compare against it, not against noise.
-        offset = self._offset(wrench)
+        # The estimate's offset is constant over a contact, its noise, with which it met the
+        # threshold, is not: one draw too high and no past cycle would count as free.
+        offset = self._offset(self._estimate.mean)
         for ago, (_, force) in enumerate(reversed(self._past)):
             felt = (force[0] + offset[0], force[1] + offset[1], force[2] + offset[2])
             if ago and _resistance(felt, direction) < _ONSET * self.threshold:

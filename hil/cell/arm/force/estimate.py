@@ -49,10 +49,15 @@ class ForceEstimate:
     @property
     def wrench(self) -> Vector6:
         """On the TCP, N and N·m, base axes, since the last `zero`."""
+        return _plus(self.mean, ZERO6 if self.external else self._noise_now)
+
+    @property
+    def mean(self) -> Vector6:
+        """The same without the noise of the box's own senses."""
         return _minus(self._felt(), self._tare)
 
     def zero(self) -> None:
-        """Call what is felt now nothing (zero_ftsensor)."""
+        """Call what is felt now nothing (zero_ftsensor); averaged, so the tare has no noise."""
         self._tare = self._felt()
 
     def believe(self, external: bool, at: Vector3) -> None:
@@ -61,11 +66,11 @@ class ForceEstimate:
         self._tare = ZERO6
 
     def _felt(self) -> Vector6:
-        if self.external:
-            return self._from_client()
-        measured = self._measured
-        noise = self._noise[measured.t // self._period % len(self._noise)]
-        return _plus(measured.force, noise)
+        return self._from_client() if self.external else self._measured.force
+
+    @property
+    def _noise_now(self) -> Vector6:
+        return self._noise[self._measured.t // self._period % len(self._noise)]
 
     def _from_client(self) -> Vector6:
         """The client's wrench, which is in the flange's axes, without the payload, at the TCP."""
