@@ -1,6 +1,7 @@
 """The arm's control loop: one cycle turns inputs, program and limits into the plant's target."""
 
 from collections.abc import Mapping
+from math import hypot
 from typing import NamedTuple
 
 import numpy as np
@@ -143,6 +144,7 @@ class ArmController:
             box.protective_stop(reason)
             return
         wanted = at if pending is None else compose(kinematics.forward(pending), tool.pose)
+        box.force_mode.notice(hypot(*box.estimate.mean[:3]))
         tip, path = box.force_mode.step(at, wanted, box.estimate.wrench, target.twist[:3])
         try:
             q = kinematics.inverse(compose(tip, tool.to_flange), servo.q)

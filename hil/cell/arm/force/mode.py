@@ -3,7 +3,9 @@
 UR publishes no equations. This is an admittance: force turns into motion of the position target.
 Per compliant axis, M dv/dt = gain * (wanted + felt) - D v with D = D0 + damping * D1: in free space
 the arm moves at force / D, against a spring k the force settles with the time constant D / k.
-D0 is as small as a wall of 50 N/mm allows behind a 22 Hz servo and two control periods of delay.
+D0 is as small as a wall of 50 N/mm allows behind a 22 Hz servo and two control periods of delay; an
+arm that touches nothing loses most of it within a second, so that it does not creep through the air
+for as long as a stiff contact has to take.
 """
 
 from dataclasses import dataclass
@@ -33,6 +35,9 @@ GAIN: Final = 1.0  # Script Manual, force_mode_set_gain_scaling: default
 _D0: Final = (2000.0, 20.0)  # N·s/m and N·m·s/rad, for translations and rotations
 _D1: Final = (18000.0, 180.0)  # full damping is ten times as slow
 _MASS: Final = (10.0, 0.1)  # kg and kg·m²: 5 ms to speed up
+_IN_AIR: Final = 0.125  # part of D0 that is left far from contact
+_FORGETS: Final = 0.4  # s: how fast D0 falls to it
+_TOUCH: Final = 1.0  # N that make a contact
 
 FREEDRIVE_BAND: Final = (5.0, 5.0, 5.0, 0.5, 0.5, 0.5)
 """N and N·m that freedrive takes for friction and not for a hand; assumed."""
@@ -65,18 +70,18 @@ class Task:
 class ForceMode:
     """task: None while the mode is off. freedrive: the mode serves a hand, not a program."""
 
-    __slots__ = ("_axes", "_drag", "_dt", "_inertia", "_velocity", "damping", "freedrive", "gain",
-                 "task")  # fmt: skip
+    __slots__ = ("_axes", "_contact", "_dt", "_forgets", "_velocity", "damping", "freedrive",
+                 "gain", "task")  # fmt: skip
 
     def __init__(self, dt: float) -> None:
         self._dt = dt
+        self._forgets = exp(-dt / _FORGETS)
         self.task: Task | None = None
         self.reset()
 
     def reset(self) -> None:
         """Off, with the parameters that a program finds when it starts."""
         self.damping, self.gain = DAMPING, GAIN
-        self._tune()
         self.end()
 
     def tune(self, *, damping: float | None = None, gain: float | None = None) -> None:
@@ -85,7 +90,6 @@ class ForceMode:
             self.damping = min(max(damping, 0.0), 1.0)
         if gain is not None:
             self.gain = min(max(gain, 0.0), 2.0)
-        self._tune()
 
     def start(self, task: Task) -> None:
         """Enter the mode, or change its task in motion: programs call force_mode every cycle."""
@@ -100,6 +104,11 @@ class ForceMode:
         """Hold position on all axes."""
         self.task, self.freedrive = None, False
         self._velocity: list[float] = [0.0] * 6
+        self._contact = 1.0
+
+    def notice(self, push: float) -> None:
+        """Once a cycle: `push`, N, is what truly acts on the tool."""
+        self._contact = 1.0 if push > _TOUCH else self._contact * self._forgets
 
     def step(self, at: Pose, wanted: Pose, felt: Vector6, velocity: Vector3) -> tuple[Pose, Pose]:
         """The next TCP target, and what it would be if the compliant axes stood still.
@@ -131,18 +140,20 @@ class ForceMode:
 
     def _give(self, task: Task, felt: Vector6) -> list[float]:
         """Velocity of the compliant axes in this cycle, m/s and rad/s."""
+        drag = self._drag()
+        # Exact for a constant force over one period.
+        inertia = [exp(-self._dt * d / m) for d, m in zip(drag, _MASS, strict=True)]
         for i, free in enumerate(task.selection):
             kind = i // 3
-            rest = self.gain * _beyond(task.wrench[i] + felt[i], task.band[i]) / self._drag[kind]
-            v = rest + (self._velocity[i] - rest) * self._inertia[kind] if free else 0.0
+            rest = self.gain * _beyond(task.wrench[i] + felt[i], task.band[i]) / drag[kind]
+            v = rest + (self._velocity[i] - rest) * inertia[kind] if free else 0.0
             self._velocity[i] = min(max(v, -task.limits[i]), task.limits[i]) if free else 0.0
         return self._velocity
 
-    def _tune(self) -> None:
-        drags = [d0 + self.damping * d1 for d0, d1 in zip(_D0, _D1, strict=True)]
-        self._drag = tuple(drags)
-        # Exact for a constant force over one period.
-        self._inertia = tuple(exp(-self._dt * d / m) for d, m in zip(drags, _MASS, strict=True))
+    def _drag(self) -> list[float]:
+        """D for translations and rotations, N·s/m and N·m·s/rad."""
+        part = _IN_AIR + (1.0 - _IN_AIR) * self._contact
+        return [part * d0 + self.damping * d1 for d0, d1 in zip(_D0, _D1, strict=True)]
 
 
 def _beyond(force: float, band: float) -> float:
