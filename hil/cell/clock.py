@@ -8,19 +8,28 @@ BIN = 10_000
 BINS = 10_000
 """Lateness histogram: 10 us bins to 100 ms, so that a soak of days costs no memory."""
 
+ARREARS = 1_000_000_000
+"""Most that is made up for, ns. Nobody wants the hour that a machine slept as fast as it can be
+computed, and a host too slow for the rate shall fall behind, not ever deeper into debt.
+"""
+
 
 class Lateness(NamedTuple):
-    """How late periods began, ns; missed: those that began after the next one was due."""
+    """How late periods began, ns; missed: those that began after the next one was due.
+
+    forgone: time that was not made up for, ns; bench time is behind the wall's by so much.
+    """
 
     periods: int
     missed: int
     p50: int
     p99: int
     max: int
+    forgone: int
 
 
 class Schedule:
-    """Period k is due at start + k * period; nothing that happens moves that."""
+    """Period k is due at start + k * period; nothing less than ARREARS moves that."""
 
     def __init__(self, period: int, now: Callable[[], int] = monotonic_ns) -> None:
         self._period, self._now = period, now
@@ -28,6 +37,7 @@ class Schedule:
         self._count = 0
         self._missed = 0
         self._max = 0
+        self._forgone = 0
         self._bins = [0] * (BINS + 1)
 
     def remaining(self) -> int:
@@ -45,10 +55,14 @@ class Schedule:
         self._missed += late > self._period
         self._max = max(self._max, late)
         self._bins[min(late // BIN, BINS)] += 1
+        if late > ARREARS:
+            self._start += late
+            self._forgone += late
 
     def lateness(self) -> Lateness:
         """Statistics so far; percentiles are the upper edge of their bin, the maximum beyond."""
-        return Lateness(self._count, self._missed, self._rank(0.5), self._rank(0.99), self._max)
+        p50, p99 = self._rank(0.5), self._rank(0.99)
+        return Lateness(self._count, self._missed, p50, p99, self._max, self._forgone)
 
     def _due(self) -> int:
         return self._start + (self._count + 1) * self._period

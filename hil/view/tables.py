@@ -94,9 +94,10 @@ def of_bench(measured: "Sequence[Measured]") -> str:
 
 def of_lateness(late: "Lateness") -> str:
     """How a paced run kept time, in one line."""
+    forgone = f", {late.forgone / 1e9:.1f} s not made up for" if late.forgone else ""
     return (
         f"late p50 {late.p50 / 1e6:.2f} ms, p99 {late.p99 / 1e6:.2f} ms, "
-        f"max {late.max / 1e6:.2f} ms, {late.missed} of {late.periods} periods missed"
+        f"max {late.max / 1e6:.2f} ms, {late.missed} of {late.periods} periods missed{forgone}"
     )
 
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hil.cell.clock import BIN, BINS, Schedule
+from hil.cell.clock import ARREARS, BIN, BINS, Schedule
 
 PERIOD = 8_000_000
 START = 123_456_789
@@ -39,6 +39,18 @@ def test_a_late_period_never_moves_the_ones_after_it(lates):
     assert schedule.remaining() == START + (len(lates) + 1) * PERIOD - clock.t
 
 
+@given(st.integers(ARREARS + 1, 10**6 * ARREARS))
+def test_what_a_sleeping_machine_missed_is_not_made_up_for_but_told(late):
+    schedule, _ = run([0, late])
+    assert schedule.remaining() == PERIOD
+    assert schedule.lateness().forgone == late
+
+
+@given(lates)
+def test_what_can_be_made_up_for_is_not_forgone(lates):
+    assert run(lates)[0].lateness().forgone == 0
+
+
 @given(lates)
 def test_every_period_is_counted_and_each_later_than_a_period_is_a_miss(lates):
     lateness = run(lates)[0].lateness()
@@ -64,15 +76,15 @@ def test_a_percentile_is_exact_to_one_bin(lates):
 
 
 def test_a_period_that_begins_early_is_not_late():
-    assert run([-PERIOD // 2])[0].lateness() == (1, 0, 0, 0, 0)
+    assert run([-PERIOD // 2])[0].lateness() == (1, 0, 0, 0, 0, 0)
 
 
 def test_nothing_is_late_before_the_first_period():
     schedule, _ = run([])
-    assert schedule.lateness() == (0, 0, 0, 0, 0)
+    assert schedule.lateness() == (0, 0, 0, 0, 0, 0)
     assert schedule.remaining() == PERIOD
 
 
 @pytest.mark.parametrize("periods", [1, 1000])
 def test_a_schedule_that_is_kept_is_never_late(periods):
-    assert run([0] * periods)[0].lateness() == (periods, 0, 0, 0, 0)
+    assert run([0] * periods)[0].lateness() == (periods, 0, 0, 0, 0, 0)
