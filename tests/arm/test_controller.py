@@ -322,3 +322,25 @@ def test_stopl_of_a_target_that_stands_ends_at_once_though_the_arm_still_moves(r
         running.run()
         running.arm.observe(running.t, flange, twist, ZERO6, part_held=False)
     assert "stands" in running.log
+
+
+@pytest.mark.parametrize("fraction", [1.0, 0.4])
+@pytest.mark.parametrize(
+    ("start", "move"),
+    [
+        ("[-1.5, -1.6, 1.6, -0.7, 0.7, 0.2]", "movej([1.5, -1.6, 1.6, -0.7, 0.7, 0.2], t=0.1)"),
+        ("[-1.5, -1.6, 1.6, -0.7, 0.7, 0.2]", "movel(aside, t=0.05)"),
+        ("[0.2, -1.4, 1.6, -1.7, -0.02, 0.3]", "movel(aside, a=4, v=0.9)"),
+        ("[0.2, -0.1, 0.2, -0.1, -1.3, 0.3]", "movej([2.0, -0.1, 0.2, -0.1, -1.3, 0.3], v=3, a=9)"),
+    ],
+    ids=["too short a time", "too short a time on a line", "a turning wrist", "a far-out tool"],
+)
+def test_a_move_slows_down_rather_than_stop(running, start, move, fraction):
+    running.arm.accept({"speed_slider_mask": 1, "speed_slider_fraction": fraction}, running.t)
+    running.arm.upload(
+        f"def go():\n  movej({start})\n  aside = get_target_tcp_pose()\n"
+        f'  aside[1] = aside[1] + 0.1\n  {move}\n  textmsg("there")\nend\n'
+    )
+    running.seconds(15.0)
+    assert "there" in running.log
+    assert running.box.modes.safety is SafetyMode.NORMAL

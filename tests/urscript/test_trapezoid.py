@@ -32,5 +32,16 @@ def test_second_half_mirrors_the_first(way, speed, acceleration, part):
 
 
 def test_given_time_is_kept():
-    profile = lasting(3.0)
+    profile = lasting(3.0, 1.0, 10.0, 10.0)
     assert [profile.fraction(t) for t in (0.0, 1.5, 3.0)] == pytest.approx([0.0, 0.5, 1.0])
+
+
+@given(sizes, sizes, sizes, sizes)
+def test_a_time_too_short_for_the_limits_is_lengthened(duration, way, speed, acceleration):
+    profile = lasting(duration, way, acceleration, speed)
+    cruise = way / (profile.duration - profile.ramp)
+    assert profile.duration >= duration
+    assert cruise <= speed * (1 + 1e-9)
+    assert profile.duration == pytest.approx(duration) or cruise / profile.ramp <= acceleration * (
+        1 + 1e-9
+    )

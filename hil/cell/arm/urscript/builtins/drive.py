@@ -1,6 +1,7 @@
 """How motion builtins reach the arm: one thread a cycle, and nobody while a hand guides it."""
 
 from collections.abc import Callable, Sequence
+from math import dist
 
 from hil.cell.arm.port import RobotPort
 from hil.cell.arm.pose import Vector6
@@ -33,6 +34,13 @@ class Drive:
         """Command joint angles, rad."""
         self.claim()
         self.port.servo_q(q)
+
+    def use_of_limits(self, before: Vector6, after: Vector6) -> float:
+        """Part of the safety system's speeds that this cycle's way takes; above 1 it would stop."""
+        joints, tcp = self.port.speed_limits()
+        turn = max(abs(b - a) for a, b in zip(before, after, strict=True))
+        way = dist(self.forward(before)[:3], self.forward(after)[:3])
+        return max(turn / joints, way / tcp) / self.period
 
     def brake(self, deceleration: float) -> Blocking:
         """Slow the joints at `deceleration`, rad/s², until they stand."""

@@ -19,11 +19,17 @@ _INSTANT: Final = 1e-6
 
 _MARGIN: Final = 0.95
 """Part of the safety system's speeds that a path uses at most: a box slows a move down rather than
-stop for it. Joint speeds of a straight line near a singularity still do."""
+stop for it, whatever time was asked for."""
+
+_TRIES: Final = 4
+_SLACK: Final = 0.02
+"""How often a cycle's step is cut, and the excess over the margin that then no longer matters."""
 
 _JOINT_LIMITS: Final = (40.0, 3.14)
 _TOOL_LIMITS: Final = (10.0, 1.0)
-"""Acceleration and speed that optimovej and optimovel take fractions of; assumed."""
+"""Acceleration and speed that optimovej and optimovel take fractions of, and an acceleration no
+given time exceeds; assumed.
+"""
 
 
 class Path(NamedTuple):
@@ -50,7 +56,7 @@ class Motion:
         start = self._start()
         goal = self._drive.inverse(pose6(q), start) if isinstance(q, Pose) else vector6(q)
         way = max(abs(b - a) for a, b in zip(start, goal, strict=True))
-        profile = _profile(way, self._allowed(v, 0), a, t)
+        profile = _profile(way, self._allowed(v, 0), a, t, self._most(0))
         yield from self._follow(self._joint_path(start, goal), profile, number(r))
 
     def movel(
@@ -61,7 +67,7 @@ class Motion:
         start, goal = self._drive.forward(near), self._pose(pose)
         self._drive.waypoint = goal
         path = self._tool_path(lambda fraction: between(start, goal, fraction), near)
-        profile = _profile(_way(start, goal), self._allowed(v, 1), a, t)
+        profile = _profile(_way(start, goal), self._allowed(v, 1), a, t, self._most(1))
         yield from self._follow(Path(path, _distance(start, goal)), profile, number(r))
 
     def movep(self, pose: Value, a: Value = 1.2, v: Value = 0.25, r: Value = 0.0) -> Blocking:
@@ -82,7 +88,7 @@ class Motion:
         start, goal = self._drive.forward(near), self._pose(pose_to)
         self._drive.waypoint = goal
         circle = arc(start, self._pose(pose_via), goal, fixed=integer(mode) == 1)
-        profile = _profile(circle.length, self._allowed(v, 1), a, 0.0)
+        profile = _profile(circle.length, self._allowed(v, 1), a, 0.0, self._most(1))
         path = Path(self._tool_path(circle.pose, near), circle.length)
         yield from self._follow(path, profile, number(r))
 
@@ -103,6 +109,11 @@ class Motion:
     def _allowed(self, v: Value, limit: int) -> float:
         """The speed asked for, or what the safety system leaves of it; limit: 0 joints, 1 TCP."""
         return min(number(v), _MARGIN * self._drive.port.speed_limits()[limit])
+
+    def _most(self, limit: int) -> tuple[float, float]:
+        """Acceleration and speed that a move takes at most; limit: 0 joints, 1 TCP."""
+        speed = _MARGIN * self._drive.port.speed_limits()[limit]
+        return (_JOINT_LIMITS, _TOOL_LIMITS)[limit][0], speed
 
     def _start(self) -> Vector6:
         """Where the next path begins: at the corner, if the last move was blended."""
@@ -132,21 +143,38 @@ class Motion:
         drive, port = self._drive, self._drive.port
         tail = port.coasting()
         leave = profile.duration - profile.left(radius / path.metres) if path.metres else inf
-        t = 0.0
+        t, q = 0.0, port.target_q()
         for cycle in count():
-            step = drive.period * port.speed_fraction()
+
+            def joints(then: float, cycle: int = cycle) -> Vector6:
+                return _rounded(path.q_at(_part(profile, then)), tail, cycle)
+
+            step, q = self._step(joints, q, t, drive.period * port.speed_fraction())
             t += step
             if radius > 0.0 and step > 0.0 and t >= leave:
                 rest = list(_times(t, step, profile.duration, len(tail) - cycle))
-                points = [path.q_at(profile.fraction(then)) for then in rest]
-                port.coast([_rounded(q, tail, cycle + i) for i, q in enumerate(points)])
+                port.coast([joints(then, cycle + i) for i, then in enumerate(rest)])
                 return
-            done = t >= profile.duration - _INSTANT
-            q = path.q_at(1.0 if done else profile.fraction(t))
-            drive.to(_rounded(q, tail, cycle))
+            drive.to(q)
             yield
-            if done and cycle + 1 >= len(tail):
+            if _part(profile, t) == 1.0 and cycle + 1 >= len(tail):
                 return
+
+    def _step(
+        self, q_at: Callable[[float], Vector6], last: Vector6, t: float, step: float
+    ) -> tuple[float, Vector6]:
+        """The part of `step`, s, that keeps joints and TCP within the limits, and its joint angles.
+
+        Near a singularity a straight line asks much of the joints; in movej the TCP may be far out.
+        """
+        q = q_at(t + step)
+        for _ in range(_TRIES):
+            used = self._drive.use_of_limits(last, q) / _MARGIN
+            if used <= 1.0 + _SLACK:
+                break
+            step /= used
+            q = q_at(t + step)
+        return step, q
 
 
 def _times(t: float, step: float, end: float, at_least: int) -> Iterator[float]:
@@ -157,6 +185,11 @@ def _times(t: float, step: float, end: float, at_least: int) -> Iterator[float]:
             return
 
 
+def _part(profile: Trapezoid, t: float) -> float:
+    """Of the way, 0..1; the whole of it where what is left makes no other cycle."""
+    return 1.0 if t >= profile.duration - _INSTANT else profile.fraction(t)
+
+
 def _rounded(q: Vector6, tail: tuple[Vector6, ...], cycle: int) -> Vector6:
     """`q` and what the move before has left to go to the corner in this cycle."""
     if cycle >= len(tail):
@@ -165,9 +198,10 @@ def _rounded(q: Vector6, tail: tuple[Vector6, ...], cycle: int) -> Vector6:
     return (a, b, c, d, e, f)
 
 
-def _profile(way: float, v: Value, a: Value, t: Value) -> Trapezoid:
+def _profile(way: float, v: Value, a: Value, t: Value, most: tuple[float, float]) -> Trapezoid:
+    """most: acceleration and speed that a given time may ask for."""
     if number(t) > 0.0:
-        return lasting(number(t))
+        return lasting(number(t), way, *most)
     if number(t) < 0.0 or not (number(v) > 0.0 and number(a) > 0.0):
         raise ScriptError(
             f"speed {number(v)} and acceleration {number(a)} must be above 0, time {number(t)} not "

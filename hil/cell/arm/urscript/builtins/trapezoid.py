@@ -38,6 +38,12 @@ def limited(way: float, speed: float, acceleration: float) -> Trapezoid:
     return Trapezoid(way / (acceleration * ramp) + ramp, ramp)
 
 
-def lasting(duration: float) -> Trapezoid:
-    """A third of the time each for speeding up, cruising and slowing down; the split is assumed."""
-    return Trapezoid(duration, duration / 3.0)
+def lasting(duration: float, way: float, acceleration: float, speed: float) -> Trapezoid:
+    """A third of the time each for speeding up, cruising and slowing down; the split is assumed.
+
+    A time that is too short for the limits is lengthened, a cruise too fast is.
+    """
+    fastest = limited(way, speed, acceleration)
+    if fastest.duration >= duration:
+        return fastest
+    return Trapezoid(duration, min(duration / 3.0, duration - way / speed))
