@@ -17,7 +17,7 @@ from learner.build import maker
 from learner.grid import Grid
 from learner.surface import surface
 
-LIMIT = 900.0
+LIMIT = 3600.0
 """Wall seconds of a training of 50 episodes; one takes about 60 on an idle core."""
 
 
