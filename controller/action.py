@@ -1,7 +1,7 @@
 """Eqs. 1 and 2 of the paper: what a search step sees and what it may do."""
 
-from enum import IntEnum
-from typing import NamedTuple, Protocol
+from enum import Enum, IntEnum
+from typing import NamedTuple, Protocol, TypeAlias
 
 from controller.cycle import Cycle
 
@@ -39,10 +39,22 @@ class Observation(NamedTuple):
     theta: float
 
 
-class Policy(Protocol):
-    """Whatever picks the next search step; None gives the episode up."""
+class Pending(Enum):
+    """No answer yet."""
 
-    def choose(self, observation: Observation) -> Action | None: ...
+    PENDING = "pending"
+
+
+Answer: TypeAlias = Action | Pending | None
+"""None gives the episode up. Pending: still thinking; the target is held, and a period later the
+policy is asked again, with what is seen then.
+"""
+
+
+class Policy(Protocol):
+    """Whatever picks the next search step. It must not block: control does not wait for it."""
+
+    def choose(self, observation: Observation) -> Answer: ...
 
 
 def observation(cycle: Cycle) -> Observation:

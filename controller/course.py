@@ -20,10 +20,20 @@ class Course:
     """Where a job stands. Phases move it on; the loop, recorders and screens read it.
 
     period: of the control loop, s. name: of the running phase. steps: search steps taken (k).
-    refused: actions of the policy that were none.
+    refused: actions of the policy that were none. held: periods spent waiting for its answer.
     """
 
-    __slots__ = ("_holds", "_lost", "cycle", "name", "period", "refused", "setpoint", "steps")
+    __slots__ = (
+        "_holds",
+        "_lost",
+        "cycle",
+        "held",
+        "name",
+        "period",
+        "refused",
+        "setpoint",
+        "steps",
+    )
 
     def __init__(self, cycle: Cycle, period: float) -> None:
         self.cycle = cycle
@@ -32,6 +42,7 @@ class Course:
         self.name = "start"
         self.steps = 0
         self.refused = 0
+        self.held = 0
         self._holds: Callable[[ArmState], bool] | None = None
         self._lost = 0
 

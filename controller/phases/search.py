@@ -2,8 +2,9 @@
 
 from enum import Enum
 
-from controller.action import Action, Policy, observation
+from controller.action import Action, Answer, Pending, Policy, observation
 from controller.course import Course, Phase
+from controller.cycle import Cycle
 from controller.force_axis import ForceAxis
 from controller.phases.contact import Face
 from controller.ramp import ramp, ramp_periods
@@ -11,6 +12,9 @@ from controller.settings import Plan, Press, Search
 
 CALM = 0.032
 """s: how long force and speed stay in their bands before a step counts as settled."""
+
+PATIENCE = 2.0
+"""s that a policy may think over one step; beyond that it counts as gone."""
 
 REFUSALS = 5
 """Actions in a row that are none, after which the policy counts as broken and the search ends."""
@@ -40,7 +44,7 @@ def take_step(
     course: Course, axis: ForceAxis | None, policy: Policy, search: Search
 ) -> Phase[bool]:
     """One ramped step, pressing or (without axis) hovering; False when the policy gives up."""
-    action = accepted(course, policy.choose(observation(course.cycle)))
+    action = accepted(course, (yield from _answer(course, axis, policy)))
     if action is None:
         return course.refused < REFUSALS and (yield from _wait(course, axis))
     course.steps += 1
@@ -48,6 +52,17 @@ def take_step(
         held = axis.follow(course) if axis else course.setpoint
         yield from course.to(held.moved(dx, dy, 0.0, dtheta))
     return True
+
+
+def _answer(course: Course, axis: ForceAxis | None, policy: Policy) -> Phase[Answer]:
+    """What the policy says, the target held while it thinks; None when it takes too long."""
+    for _ in range(round(PATIENCE / course.period)):
+        answer = policy.choose(observation(course.cycle))
+        if answer is not Pending.PENDING:
+            return answer
+        course.held += 1
+        yield from _hold(course, axis)
+    return None
 
 
 def accepted(course: Course, chosen: object) -> Action | None:
@@ -66,10 +81,15 @@ def accepted(course: Course, chosen: object) -> Action | None:
 
 
 def _wait(course: Course, axis: ForceAxis | None) -> Phase[bool]:
-    """Hold the target, still pressing, for as long as a step would have taken."""
+    """Hold the target for as long as a step would have taken."""
     for _ in range(ramp_periods(course.period)):
-        yield from course.to(axis.follow(course) if axis else course.setpoint)
+        yield from _hold(course, axis)
     return True
+
+
+def _hold(course: Course, axis: ForceAxis | None) -> Phase[Cycle]:
+    """One period at the target, still pressing."""
+    return (yield from course.to(axis.follow(course) if axis else course.setpoint))
 
 
 def step_of(course: Course, action: Action, search: Search) -> tuple[float, float, float]:

@@ -6,7 +6,7 @@ from typing import Final, cast
 
 import numpy as np
 
-from controller.action import Action, Observation, Policy
+from controller.action import Action, Answer, Observation, Pending, Policy
 from hil.app.host_faults import HostFaults
 from hil.cell.faults.injector import Running
 from learner.interface import Learner, State, Transition
@@ -27,13 +27,24 @@ class Choosing:
     def __init__(self, faults: HostFaults) -> None:
         self._faults = faults
         self._seen: deque[Observation] = deque(maxlen=REMEMBERED)
+        self._asked: int | None = None
+
+    def thinks(self) -> bool:
+        """Whether the answer is not there yet; asked once a period."""
+        slow, now = self._faults.of("L5"), self._faults.now
+        if self._asked is None:
+            self._asked = now
+        for one in slow:
+            one.felt(now, "the choice comes late")
+        late = max((round(one.fault.number("delay") * NS) for one in slow), default=0)
+        if now - self._asked < late:
+            return True
+        self._asked = None
+        return False
 
     def seen(self, observation: Observation) -> Observation:
         """What the chooser gets to see."""
         self._seen.append(observation)
-        for one in self._faults.of("L5"):
-            self._faults.absent(round(one.fault.number("delay") * NS))
-            one.felt(self._faults.now, "the choice comes late")
         for one in self._faults.of("L1"):
             old = self._seen[-min(len(self._seen), 1 + int(one.fault.number("age")))]
             if old is not observation:
@@ -41,13 +52,13 @@ class Choosing:
             observation = old
         return observation
 
-    def given(self, action: Action | None, observation: Observation) -> Action | None:
+    def given(self, action: Answer, observation: Observation) -> Answer:
         """What reaches the controller, whatever its type says."""
         for one in self._faults.of("L2"):
             value = one.fault.word("value")
             wrong = _away(observation) if value == "adversarial" else _WRONG[value]
             one.felt(self._faults.now, f"action {wrong!r}")
-            action = cast("Action | None", wrong)  # the fault is that it is none
+            action = cast("Answer", wrong)  # the fault is that it is none
         return action
 
 
@@ -62,7 +73,9 @@ class FaultyPolicy:
     def __init__(self, policy: Policy, faults: HostFaults) -> None:
         self._policy, self._choosing = policy, Choosing(faults)
 
-    def choose(self, observation: Observation) -> Action | None:
+    def choose(self, observation: Observation) -> Answer:
+        if self._choosing.thinks():
+            return Pending.PENDING
         chosen = self._policy.choose(self._choosing.seen(observation))
         return self._choosing.given(chosen, observation)
 

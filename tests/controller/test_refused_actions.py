@@ -4,10 +4,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from controller.action import Action
+from controller.action import Action, Pending
 from controller.course import Course
 from controller.cycle import Cycle
-from controller.phases.search import REFUSALS, accepted, take_step
+from controller.phases.search import PATIENCE, REFUSALS, accepted, take_step
 from controller.place import Place
 from controller.settings import Search
 
@@ -70,3 +70,21 @@ def test_what_is_accepted_is_an_action_of_eq_2(answer):
 @pytest.mark.parametrize("number", list(map(int, Action)))
 def test_a_plain_number_of_an_action_is_one(number):
     assert accepted(course(), number) is Action(number)
+
+
+@given(st.integers(0, 200))
+def test_the_target_is_held_while_the_policy_thinks_and_its_answer_is_then_taken(periods):
+    where = course()
+    thinking = [Pending.PENDING] * periods
+    goes_on, sent = stepped(where, Answering(*thinking, Action.PLUS_X))
+    assert goes_on
+    assert sent[:periods] == [Place(0.0, 0.0, 0.0, 0.0)] * periods
+    assert (where.held, where.steps) == (periods, 1)
+
+
+def test_a_policy_that_never_answers_is_given_up():
+    where = course()
+    goes_on, sent = stepped(where, Answering(Pending.PENDING))
+    assert not goes_on
+    assert len(sent) == where.held == round(PATIENCE / where.period)
+    assert set(sent) == {Place(0.0, 0.0, 0.0, 0.0)}
