@@ -68,9 +68,19 @@ class Training:
         """Part and number of episodes of each session."""
         found = []
         for name, count in self.schedule.parts:
-            most = count if self.rig.rig == "real" else self.every
+            most = count if self.real else self.every
             found += [(name, min(most, count - done)) for done in range(0, count, most)]
         return found
+
+    @property
+    def real(self) -> bool:
+        """Whether the rig names real devices."""
+        return self.rig.rig == "real"
+
+    @property
+    def checkpoints(self) -> int:
+        """How often the file is written."""
+        return self.schedule.episodes if self.real else len(self.sessions)
 
 
 def train(training: Training, path: Path, watch: Watch, *, resume: bool) -> Iterator[EpisodeResult]:
@@ -82,25 +92,28 @@ def train(training: Training, path: Path, watch: Watch, *, resume: bool) -> Iter
         training.grid, training.rig.task.max_steps, stream(training.seed, "learner")
     )
     results = taken_up(training, path, learner) if resume and path.exists() else []
-    done = len(results)
-    begin = 0
+    end = 0
     for index, (part, count) in enumerate(training.sessions):
-        new_part = index > 0 and training.sessions[index - 1][0] != part
-        begin += count
-        if begin <= done:
+        end += count
+        left = end - len(results)
+        if left <= 0:
             continue
-        if new_part:
+        if left < count or (index > 0 and training.sessions[index - 1][0] != part):
             learner.grip_changed()
-        for result in _session(training, learner, index, watch):
+        for result in _session(training, learner, index, left, watch):
             results.append(replace(result, number=len(results) + 1))
+            if training.real:
+                checkpoint.write(path, _kept(training, learner, results))
             yield results[-1]
-        checkpoint.write(path, _kept(training, learner, results))
+        if not training.real:
+            checkpoint.write(path, _kept(training, learner, results))
 
 
 def _session(
-    training: Training, learner: Learner, index: int, watch: Watch
+    training: Training, learner: Learner, index: int, count: int, watch: Watch
 ) -> Iterator[EpisodeResult]:
-    part, count = training.sessions[index]
+    """The last `count` episodes of a session."""
+    part, _ = training.sessions[index]
     with ExitStack() as stack:
         cell = stack.enter_context(_cell(training, index))
         trainer = connected(training.rig, cell, stack, watch, None)
@@ -109,7 +122,7 @@ def _session(
 
 def _cell(training: Training, index: int) -> RunningCell:
     rig, seed = training.rig, training.seed
-    if rig.rig == "real":
+    if training.real:
         return RealCell(rig, "wall")
     its_own = int(stream(seed, f"session.{index}").integers(1 << 31))
     return InlineCell(as_met(rig, seed), its_own, "lockstep", record=False)

@@ -24,7 +24,9 @@ def train(
     seed: Seed = None,
     episodes: Annotated[int, typer.Option(min=1, help="With the first part.")] = 48,
     verify: Annotated[int, typer.Option(min=0, help="With the second one.")] = 2,
-    every: Annotated[int, typer.Option(min=1, help="Episodes between two checkpoints.")] = 8,
+    every: Annotated[
+        int, typer.Option(min=1, help="Episodes between two checkpoints; 1 on a real rig.")
+    ] = 8,
     out: Annotated[Path, typer.Option(help="The checkpoint.")] = Path("out/learner.hil"),
     resume: Annotated[
         bool, typer.Option("--resume", help="Go on from the checkpoint, if there is one.")
@@ -46,7 +48,7 @@ def train(
     if dry_run:
         typer.echo(as_json(intent) if json else of_facts(intent), nl=False)
         return 0
-    if training.rig.rig == "real" and not json:
+    if training.real and not json:
         typer.echo(of_facts(intent), nl=False)
     _room(out, resume=resume, overwrite=overwrite)
     results = []
@@ -114,12 +116,10 @@ def _intent(training: "Training", out: Path) -> dict[str, str | int | float | No
     from hil.cli.options import Clock, Layout, PolicyName  # noqa: PLC0415
     from hil.cli.request import Choice, asked, plan_of  # noqa: PLC0415
 
-    real = training.rig.rig == "real"
-    clock = Clock.WALL if real else Clock.LOCKSTEP
+    clock = Clock.WALL if training.real else Clock.LOCKSTEP
     choice = Choice(training.seed, Layout.INLINE, clock, PolicyName.POSE, None, rig_ports=False)
     facts = plan_of(asked(training.rig, training.text, choice))
     del facts["policy"], facts["part"]
-    sessions = training.sessions
     return facts | {
         "learner": training.learner,
         "parts": ", ".join(
@@ -128,7 +128,7 @@ def _intent(training: "Training", out: Path) -> dict[str, str | int | float | No
         "search box": "x, y, theta up to {}, {}, {} steps off the nominal slot".format(
             *training.rig.task.search_cells
         ),
-        "checkpoint": f"{out}, {len(sessions)} times",
+        "checkpoint": f"{out}, {training.checkpoints} times",
     }
 
 

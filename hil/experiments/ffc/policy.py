@@ -28,6 +28,7 @@ def facts(found: Checkpoint, path: Path) -> dict[str, str | int | float | None]:
         "seed": found.seed,
         "episodes": found.episodes,
         "inserted": f"{100 * inserted:.3g} %",
+        "dangers": sum(episode.kind is Kind.DANGER for episode in episodes),
         "last ten, steps": ", ".join(str(episode.steps) for episode in episodes[-10:]),
         "written by": ", ".join(f"{name} {version}" for name, version in found.versions.items()),
     }

@@ -4,7 +4,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from learner.tabular.dice import uniform, words
-from learner.tabular.rules import DOUBLE, SINGLE, WEIGHTED, Law, Pool, Step, choose, update, weight
+from learner.tabular.rules import (
+    DOUBLE,
+    SINGLE,
+    WEIGHTED,
+    Law,
+    Pool,
+    Step,
+    choose,
+    greedy,
+    update,
+    weight,
+)
 from learner.tabular.tables import empty
 
 LAW = Law(WEIGHTED, 0.01, 0.9, 1.0, 0.85, True)
@@ -89,6 +100,39 @@ def test_an_infinite_c_is_double_q_learning():
         update(b, LAW._replace(rule=DOUBLE), step, 0)
     assert np.array_equal(a.q1, b.q1)
     assert np.array_equal(a.q2, b.q2)
+
+
+@given(
+    st.integers(0, 2**32 - 1),
+    st.lists(STEPS, max_size=30),
+    st.sampled_from([SINGLE, DOUBLE, WEIGHTED]),
+)
+def test_a_potential_moves_every_value_by_itself_and_no_greedy_action(seed, steps, rule):
+    """Ng, Harada and Russell 1999; Wiewiora 2003 for tables that begin at minus the potential."""
+    rng = np.random.default_rng(seed)
+    values, potential = rng.uniform(-1, 1, 48), rng.uniform(-1, 1, 4)
+    law = LAW._replace(rule=rule, psi=0.5)
+    plain, shaped = filled(values), filled(values)
+    shaped.q1[...] -= potential[:, None]
+    shaped.q2[...] -= potential[:, None]
+    for step in steps:
+        ahead = 0.0 if step.over else law.gamma * potential[step.after]
+        update(plain, law, step, 0)
+        update(shaped, law, step._replace(paid=step.paid + ahead - potential[step.before]), 0)
+    assert shaped.q1 + potential[:, None] == pytest.approx(plain.q1, abs=1e-9)
+    assert shaped.q2 + potential[:, None] == pytest.approx(plain.q2, abs=1e-9)
+    assert np.array_equal(greedy(shaped, law), greedy(plain, law))
+
+
+def test_a_large_c_is_not_double_q_learning():
+    """A weight of 1e-300 still decides between values that double Q-learning finds equal."""
+    rng = np.random.default_rng(3)
+    a, b = pool(), pool()
+    for _ in range(400):
+        step = Step(*map(int, rng.integers(0, (4, 6, 4))), float(rng.choice([0, 1])), False)
+        update(a, LAW._replace(c=1e300), step, 0)
+        update(b, LAW._replace(rule=DOUBLE), step, 0)
+    assert not np.array_equal(a.q1, b.q1)
 
 
 def test_an_untrained_table_takes_every_action_about_equally():
