@@ -59,11 +59,8 @@ def up(
 
     powered: the arm releases its brakes by itself.
     """
-    from hil.cell.arm.urscript import compile_program  # noqa: PLC0415  as below
     from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
 
-    # The parser's tables take 0.2 s: made before the first client comes, not in its first period.
-    compile_program("def nothing():\nend\n")
     with _signals() as came, serve(rig, seed, across_processes=True) as cell, open_desk() as desk:
         if powered:
             cell.power_up()
