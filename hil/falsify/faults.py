@@ -102,7 +102,9 @@ def _axis(of: Parameter) -> Axis | Choice:
         return Choice(of.choices)
     high = min(of.high, REACH * abs(float(of.default)) or REACH)
     low = max(of.low, -high)
-    return Axis(low, high, neutral=min(max(0.0, low), high), whole=of.whole)
+    neutral = min(max(0.0, low), high)
+    likely = float(of.default) if float(of.default) > 0.0 else None
+    return Axis(low, high, neutral, whole=of.whole, likely=likely)
 
 
 def _fault(part: Part) -> Fault:

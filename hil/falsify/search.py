@@ -1,21 +1,32 @@
-"""Looks for the case of least robustness: Optuna's TPE, or uniform draws to compare it with."""
+"""Looks for the case of least robustness: Optuna's TPE, or draws to compare it with.
+
+The estimator learns from its first runs, so these are drawn where the space says that harm is
+likely, each kind of part in turn; uniform ones would tell it little in as few runs.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
+import numpy as np
 import optuna
 from optuna.samplers import BaseSampler, RandomSampler, TPESampler
 from optuna.trial import Trial
 
+from hil.cell.streams import stream
 from hil.falsify.space import Axis, Case, Choice, Part, Space, Value
+
+Sampler = Literal["tpe", "likely", "random"]
+"""likely: draws like the estimator's first ones, and nothing else. random: uniform draws."""
 
 Robustness = Callable[[Case], float]
 """Of one run; below 0 is a violation."""
 Told = Callable[[int, Case, float], None]
 
 STARTUP: Final = 8
-"""Uniform draws before the estimator has something to go by."""
+"""Runs before the estimator has something to go by."""
+AFRESH: Final = 4
+"""Every so many runs is drawn like the first ones: an estimator may be stuck in a corner."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,14 +48,17 @@ def search(
     *,
     budget: int,
     seed: int,
-    sampler: Literal["tpe", "random"] = "tpe",
+    sampler: Sampler = "tpe",
     tell: Told = lambda *_: None,
 ) -> Found:
     """Run up to `budget` cases of one part from each slot, and stop at the first violation."""
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     study = optuna.create_study(sampler=_sampler(sampler, seed))
     worst: Found | None = None
+    rng = stream(seed, "falsify.first")
     for run in range(1, budget + 1):
+        if sampler == "likely" or (sampler == "tpe" and (run <= STARTUP or run % AFRESH == 0)):
+            study.enqueue_trial(_first(slots, run, rng))
         trial = study.ask()
         case = tuple(_part(trial, space, index) for index, space in enumerate(slots))
         value = robustness(case)
@@ -60,9 +74,19 @@ def search(
 
 
 def _sampler(name: str, seed: int) -> BaseSampler:
-    if name == "random":
+    if name != "tpe":
         return RandomSampler(seed=seed)
     return TPESampler(seed=seed, n_startup_trials=STARTUP, multivariate=True)
+
+
+def _first(slots: Sequence[Space], run: int, rng: np.random.Generator) -> dict[str, Value]:
+    """Values of the first runs' axes, by the names that `_part` asks for."""
+    values: dict[str, Value] = {}
+    for index, space in enumerate(slots):
+        kind = list(space)[run % len(space)]
+        values[f"{index}.kind"] = kind
+        values |= {f"{index}.{kind}.{name}": axis.first(rng) for name, axis in space[kind].items()}
+    return values
 
 
 def _part(trial: Trial, space: Space, index: int) -> Part:

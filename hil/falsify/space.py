@@ -3,16 +3,22 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import isclose
-from typing import NamedTuple, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
+
+import numpy as np
 
 Value: TypeAlias = float | int | str
+
+AROUND: Final = 4.0
+"""A search begins within this factor of where an axis says that harm is likely."""
 
 
 @dataclass(frozen=True, slots=True)
 class Axis:
     """A number from low to high; neutral: the value that says least. whole: integers only.
 
-    log: drawn by its logarithm, where the range covers decades.
+    log: drawn by its logarithm, where the range covers decades. likely: a positive value near which
+    a search for harm begins; None is anywhere.
     """
 
     low: float
@@ -20,6 +26,14 @@ class Axis:
     neutral: float
     whole: bool = False
     log: bool = False
+    likely: float | None = None
+
+    def first(self, rng: np.random.Generator) -> Value:
+        """A value to begin a search with."""
+        if self.likely is None:
+            return self._of(float(rng.uniform(self.low, self.high)))
+        low, high = max(self.low, self.likely / AROUND), min(self.high, self.likely * AROUND)
+        return self._of(float(np.exp(rng.uniform(np.log(low), np.log(high)))))
 
     def reaching(self, value: Value) -> "Axis":
         """The same, wide enough for a value."""
@@ -57,6 +71,9 @@ class Choice:
     """One word of several, the one that says least first."""
 
     words: tuple[str, ...]
+
+    def first(self, rng: np.random.Generator) -> Value:
+        return self.words[rng.integers(len(self.words))]
 
     def reaching(self, value: Value) -> "Choice":
         return self if value in self.words else Choice((*self.words, str(value)))

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 from itertools import product
 from statistics import median
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, cast
 
 from hypothesis import HealthCheck, Phase, given, settings, target
 from hypothesis import seed as seeded
@@ -14,18 +14,18 @@ from hil.cell.rig import Rig
 from hil.experiments.falsification.bugs import Bug
 from hil.experiments.falsification.contact import robustness
 from hil.falsify.faults import space
-from hil.falsify.search import Robustness, search
+from hil.falsify.search import Robustness, Sampler, search
 from hil.falsify.space import Axes, Axis, Case, Choice, Part, Space, Value
 
 PRESS: Final[Space] = {
     "press": {
-        "stiffness": Axis(1e3, 100e3, neutral=1e3, log=True),
+        "stiffness": Axis(1e3, 100e3, neutral=1e3, log=True, likely=100e3),
         "gap": Axis(0.5e-3, 2e-3, neutral=0.5e-3),
-        "approach": Axis(2e-3, 16e-3, neutral=2e-3),
+        "approach": Axis(2e-3, 16e-3, neutral=2e-3, likely=16e-3),
     }
 }
 WHERE: Final = Choice(("phase: approach", "contact"))
-WAYS: Final = ("tpe", "random", "target")
+WAYS: Final = ("tpe", "likely", "random", "target")
 BUGS: Final = (Bug.FILLED, Bug.QUEUE, Bug.RETARE)
 
 
@@ -55,8 +55,7 @@ def runs_to_find(way: str, judge: Robustness, *, budget: int, seed: int) -> int 
     """Runs to the first violation."""
     if way == "target":
         return _climbed(judge, budget, seed)
-    sampler: Final = "tpe" if way == "tpe" else "random"
-    found = search(slots(), judge, budget=budget, seed=seed, sampler=sampler)
+    found = search(slots(), judge, budget=budget, seed=seed, sampler=cast("Sampler", way))
     return found.runs if found.violated else None
 
 
