@@ -15,6 +15,8 @@ from hil.cell.faults.trigger import Trigger
 
 ELSEWHERE: Final = ("H4", "L3", "L4")
 """Rows that an assembly without recording and without a parallel learner has no place for."""
+MET: Final = ("G2", "P3", "P4", "L1", "L2", "L5")
+"""Rows that act only where the job comes upon them: over before that, they would show nothing."""
 SPREAD: Final = 4.0
 """Random parameters lie within this factor of their defaults, and within their ranges."""
 LATEST: Final = 60
@@ -43,7 +45,7 @@ def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
     row = known[rng.integers(len(known))]
     phase = row.phases[rng.integers(len(row.phases))]
     values = {parameter.name: _value(parameter, rng) for parameter in row.parameters}
-    brief = row.lasting and not row.start and rng.random() < 0.5
+    brief = row.lasting and not row.start and rng.random() < 0.5 and row.id not in MET
     lasts = Span(cycles=int(rng.integers(1, LONGEST))) if brief else None
     return Fault(row.id, values, _trigger(row, phase, int(rng.integers(LATEST))), lasts), phase
 
