@@ -1,5 +1,7 @@
 """The FMEA file, what is owed by it, and the figures of a fault."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -13,6 +15,7 @@ from hil.trial.owed import Owed
 from hil.trial.signals import NAMES
 from hil.trial.trace import Trace
 
+ROOT = Path(__file__).parents[2]
 ROW = """effect: e
 detection: d
 reaction: stop
@@ -23,6 +26,13 @@ test: t"""
 
 def test_every_fault_of_the_catalogue_has_an_entry_in_its_order():
     assert list(load()) == [row.id for row in CATALOGUE]
+
+
+def test_every_test_that_an_entry_names_is_there():
+    for id, entry in load().items():
+        path, _, name = entry.test.partition("::")
+        if entry.test:
+            assert f"def {name}(" in (ROOT / path).read_text(), id
 
 
 def test_an_entry_that_is_missing_is_named():

@@ -1,0 +1,99 @@
+"""T2 to T12: what the near side, and the program that it put on the robot, do about the link."""
+
+import re
+from functools import partial
+
+import pytest
+
+import drivers.ur.rtde_client as rtde_client
+from drivers.protocol.rtde import Cutter, Package, PackageType
+from drivers.ur.connection import RtdeConnection
+from drivers.ur.program import ServoProgram
+from hil.trial.verdict import Verdict
+
+SLOW = partial(pytest.param, marks=pytest.mark.campaign)
+
+
+def watchdog(patch):
+    """The robot's program waits for commands for ever."""
+    sound = ServoProgram.text
+
+    def text(self, rate):
+        sleeping, changed = re.subn(r"silent >= \d+", "silent >= 1000000", sound(self, rate))
+        assert changed
+        return sleeping
+
+    patch.setattr(ServoProgram, "text", text)
+
+
+def ended(trial):
+    """The robot's program has stopped the arm by itself."""
+    return any("no fresh command" in text for _, text in trial.log)
+
+
+def catching_up(patch):
+    """Every package is answered, and not only the newest of those that have come."""
+
+    def oldest(self):
+        waiting = self.__dict__.setdefault("waiting", [])
+        while not waiting:
+            waiting += [p for p in self._receive()[0] if p.type == PackageType.DATA]
+        self.received = waiting.pop(0).payload
+        return self._unpack(self._agreed(), self.received)
+
+    patch.setattr(RtdeConnection, "read_newest", oldest)
+
+
+def test_after_a_spike_only_the_newest_state_is_answered(law):
+    def up_to_date(trial):
+        running = trial.trace["command_age"][trial.trace["running"] > 0.5]
+        return running.max() > 0.03 and running[-1] < 0.02
+
+    law.holds(up_to_date, catching_up, "T2", {"size": 0.04})
+
+
+@pytest.mark.parametrize("direction", ["from_cell", SLOW("to_cell"), SLOW("both")])
+def test_an_arm_on_a_stalled_link_stops_by_itself(law, direction):
+    law.holds(ended, watchdog, "T3", {"direction": direction}, cycles=60)
+
+
+@pytest.mark.parametrize("direction", ["to_cell", SLOW("from_cell")])
+def test_an_arm_on_a_half_open_link_stops_by_itself(law, direction):
+    law.holds(ended, watchdog, "T4", {"direction": direction}, cycles=60)
+
+
+@pytest.mark.parametrize("how", ["rst", SLOW("fin")])
+def test_an_arm_whose_host_was_cut_off_stops_by_itself(law, how):
+    law.holds(ended, watchdog, "T5", {"how": how})
+
+
+def one_read_one_package(patch):
+    """Whatever one receive brings is taken for a whole package."""
+    patch.setattr(Cutter, "feed", lambda self, data: [Package(data[-1], data[3:])])
+
+
+def test_a_job_goes_on_whatever_pieces_its_packages_come_in(law):
+    def done(trial):
+        return trial.outcome is not None and trial.outcome.kind.value == "inserted"
+
+    law.holds(done, one_read_one_package, "T7", {"size": 7})
+
+
+def anything_goes(patch):
+    """Nobody looks at what the controller says of each field."""
+    patch.setattr(rtde_client, "_refuse", lambda *_: None)
+
+
+def test_a_refused_recipe_is_named_before_anything_moves(law):
+    def named(trial):
+        return trial.verdict is Verdict.BLOCKED and "not know input_int_register_24" in trial.reason
+
+    law.holds(named, anything_goes, "T10", {"what": "input"}, at="")
+
+
+def test_an_arm_that_hears_a_slow_client_stops_by_itself(law):
+    law.holds(ended, watchdog, "T11", {"rate": 200.0, "buffer": 1024})
+
+
+def test_an_arm_that_somebody_else_writes_to_stops_by_itself(law):
+    law.holds(ended, watchdog, "T12")

@@ -1,0 +1,85 @@
+"""R8, R9, P1, P2, H1 to H3: what cannot be noticed stays within the force bound; silence stops."""
+
+import re
+import time
+
+from controller.guard import Guard
+from drivers.nrs.can_sensor import CanSensor
+from drivers.ur.program import ServoProgram
+from drivers.ur.sample import OUTPUTS
+
+NOW = time.time
+
+
+def bound(patch):
+    """A guard with ten times the force bound."""
+    sound = Guard.__init__
+
+    def init(self, limits, period):
+        sound(self, limits.relaxed(10.0), period)
+
+    patch.setattr(Guard, "__init__", init)
+
+
+def bounded(trial):
+    return trial.outcome is not None and trial.outcome.kind.value == "danger"
+
+
+def test_a_pose_that_is_off_is_felt_and_the_force_stays_bounded(law):
+    law.holds(
+        bounded, bound, "R9", {"dx": 0.0, "dy": 0.0, "dz": 0.015}, at="phase: search", after=3
+    )
+
+
+def test_a_connector_that_moves_in_contact_is_felt_and_the_force_stays_bounded(law):
+    law.holds(bounded, bound, "P1", {"dx": 0.01, "dy": 0.01}, at="phase: insert", after=3)
+
+
+def test_a_stiffer_contact_is_felt_and_the_force_stays_bounded(law):
+    law.holds(
+        bounded, bound, "P2", {"stiffness": 6.0, "friction": 5.0}, at="phase: search", after=3
+    )
+
+
+def watchdog(patch):
+    """The robot's program waits for commands for ever."""
+    sound = ServoProgram.text
+
+    def text(self, rate):
+        return re.sub(r"silent >= \d+", "silent >= 1000000", sound(self, rate))
+
+    patch.setattr(ServoProgram, "text", text)
+
+
+def ended(trial):
+    return any("no fresh command" in text for _, text in trial.log)
+
+
+def test_an_arm_whose_host_pauses_for_too_long_stops_by_itself(law):
+    law.holds(ended, watchdog, "H1", {"pause": 0.3})
+
+
+def test_an_arm_whose_host_was_killed_stops_by_itself(law):
+    law.holds(ended, watchdog, "H3", {"how": "kill"})
+
+
+def wall_clock(patch):
+    """Ages are told by the wall clock."""
+    sound = CanSensor.read
+
+    def read(self, t):
+        return sound(self, t + round(1e9 * (time.time() - NOW())))
+
+    patch.setattr(CanSensor, "read", read)
+
+
+def test_a_job_goes_on_whatever_the_wall_clock_does(law):
+    def done(trial):
+        return trial.outcome is not None and trial.outcome.kind.value == "inserted"
+
+    law.holds(done, wall_clock, "H2")
+
+
+def test_control_does_not_ask_the_robot_for_a_force():
+    """A payload that is wrong bends the robot's own force, joint currents and torques, only."""
+    assert not [name for name in OUTPUTS if re.search("force|torque|current|moment", name)]
