@@ -1,0 +1,165 @@
+"""For every sequence of learner actions and every single fault, F1 to F3 hold, and the run ends.
+
+`make test` tries a few, `pytest -m campaign tests/properties` with a profile many.
+"""
+
+import re
+from collections import Counter
+
+import pytest
+from hypothesis import HealthCheck, Phase, example, given, settings
+from hypothesis import strategies as st
+
+from controller.action import Action
+from controller.guard import Guard
+from drivers.nrs.assembler import Assembler
+from drivers.protocol.nrs_sample import decode_pair
+from drivers.ur.program import ServoProgram
+from hil.cell.faults.event import event
+from hil.cell.faults.row import Phase as Where
+from hil.cell.faults.row import phase_of
+from hil.cell.faults.schedule import Fault, Schedule
+from hil.cell.faults.span import Span
+from hil.cell.faults.trigger import Trigger
+from hil.cell.rig import parse
+from hil.experiments.faults.draw import rows
+from hil.trial.trial import run_trial
+from hil.trial.verdict import Verdict
+from hil_fixtures import strategies as hs
+
+RIG = parse(
+    """
+name: cable
+robot:
+  model: ur5
+  series: cb3
+  home: [0.0 deg, -98.4 deg, 118.9 deg, -110.5 deg, -90.0 deg, 90.0 deg]
+can: {interface: virtual}
+sensor: {boot_time: 8 ms}
+connector: {position: [-450 mm, -110 mm, 50 mm]}
+fixture: {parts: [{name: FFC1, position: [-430 mm, -130 mm, 55 mm]}]}
+task: {start_cells: [2, 3, 1], on_jam: step on}
+"""
+).on_free_ports()
+LONGEST = 30.0
+"""Bench seconds; the longest sequence of actions takes 20."""
+UNSAFE = (Verdict.FAILED, Verdict.HANG, Verdict.CRASH)
+ONE = hs.Actions([Action.PLUS_X])
+CASES = st.tuples(hs.faults([row.id for row in rows()]), hs.learner_actions(max_size=12))
+
+
+class Visits(Counter):
+    """Periods spent in each (phase, state), over the runs of a law."""
+
+    def take(self, trace):
+        for name, running, stopping in zip(
+            trace.phases, trace["running"], trace["stopping"], strict=True
+        ):
+            if running:
+                self[phase_of(name), "stopping" if stopping else "moving"] += 1
+
+    def require(self, *states):
+        never = [f"{phase} {state}" for phase, state in states if not self[phase, state]]
+        assert not never, f"the law was never tried in: {', '.join(never)}"
+
+
+def holds(fault, actions, visits):
+    """One run under one fault; the verdict counts, and where it has been."""
+    trial = run_trial(RIG, 1, Schedule((fault,)), policy=actions, longest=LONGEST)
+    visits.take(trial.trace)
+    assert trial.verdict not in UNSAFE, f"{trial.verdict}: {trial.reason}"
+
+
+def begun(kind, params=None, at="phase: pick up"):
+    """A fault that begins soon after an event, and lasts."""
+    return Fault(kind, params or {}, Trigger(event=event("event", at), offset=Span(cycles=5)), None)
+
+
+def tried(examples=None):
+    """The law over so many cases, or as many as the profile says; where it has been."""
+    visits = Visits()
+    some = {} if examples is None else {"max_examples": examples, "derandomize": True}
+
+    @settings(
+        deadline=None, database=None, phases=[Phase.explicit, Phase.generate],
+        suppress_health_check=list(HealthCheck), **some,
+    )  # fmt: skip
+    @example((begun("R1", at="contact"), ONE))
+    @example((begun("C7"), ONE))
+    @given(CASES)
+    def law(case):
+        holds(*case, visits)
+
+    law()
+    return visits
+
+
+def test_no_actions_under_any_single_fault_break_f1_to_f3():
+    visits = tried(examples=4)
+    visits.require((Where.FREE, "moving"), (Where.FREE, "stopping"), (Where.CONTACT, "stopping"))
+
+
+@pytest.mark.campaign
+@pytest.mark.timeout(0)
+def test_no_actions_under_any_single_fault_break_f1_to_f3_at_length():
+    moving = [(phase, "moving") for phase in Where]
+    stopping = [(phase, "stopping") for phase in (Where.FREE, Where.APPROACH, Where.CONTACT)]
+    tried().require(*moving, *stopping)
+
+
+def test_a_state_that_was_never_reached_fails_the_law():
+    visits = Visits({(Where.FREE, "moving"): 3})
+    visits.require((Where.FREE, "moving"))
+    with pytest.raises(AssertionError, match="never tried in: insert stopping"):
+        visits.require((Where.FREE, "moving"), (Where.INSERT, "stopping"))
+
+
+# The same law with bugs planted in the near side.
+
+
+def guard_with_ten_times_its_bound(patch):
+    sound = Guard.__init__
+    patch.setattr(
+        Guard, "__init__", lambda self, limits, period: sound(self, limits.relaxed(10.0), period)
+    )
+
+
+def driver_that_fills_half_a_wrench_with_the_last_other_half(patch):
+    """Pairs the last of each frame, whatever their counters."""
+
+    def join(self, is_force, octets, t):
+        kept = self.__dict__.setdefault("kept", {})
+        kept[is_force] = octets
+        if len(kept) < 2:
+            return None
+        mask = (1 << 51) - 1  # the counter comes after the values
+        head, tail = (int.from_bytes(one, "little") for one in (kept[True], octets))
+        force = ((head & mask) | (tail & ~mask)).to_bytes(8, "little")
+        return decode_pair(force, kept[False][:7] + octets[7:])
+
+    patch.setattr(Assembler, "_join", join)
+
+
+def program_without_its_watchdog(patch):
+    sound = ServoProgram.text
+
+    def text(self, rate):
+        return re.sub(r"silent >= \d+", "silent >= 1000000", sound(self, rate))
+
+    patch.setattr(ServoProgram, "text", text)
+
+
+OLD = {"mean": 0.3, "jitter": 0.0, "law": "constant", "direction": "to_cell"}
+BUGS = [
+    (guard_with_ten_times_its_bound, begun("S1", {"force": 4.0, "axis": "fx"})),
+    (driver_that_fills_half_a_wrench_with_the_last_other_half, begun("C9")),
+    (program_without_its_watchdog, begun("T1", OLD)),
+]
+
+
+@pytest.mark.parametrize(("plant", "fault"), BUGS)
+def test_a_planted_bug_breaks_the_law(monkeypatch, plant, fault):
+    holds(fault, ONE, Visits())
+    plant(monkeypatch)
+    with pytest.raises(AssertionError):
+        holds(fault, ONE, Visits())
