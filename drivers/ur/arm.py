@@ -18,6 +18,7 @@ from drivers.protocol.rtde import PackageType, encode
 from drivers.ur.bring_up import NS, end_program, power_up, release_stop, start_program
 from drivers.ur.connection import RtdeConnection
 from drivers.ur.dashboard import Dashboard
+from drivers.ur.plausible import check
 from drivers.ur.program import SEQUENCE_MASK, Command, ServoProgram
 from drivers.ur.sample import INPUTS, OUTPUTS, Sample, fault
 from drivers.ur.script_port import ScriptPort
@@ -25,6 +26,9 @@ from drivers.ur.script_port import ScriptPort
 _BARE_FLANGE: Final = ServoProgram()
 _OUTPUT_BITS: Final = 8
 _NEVER: Final = -1  # before any controller time
+REPLAY: Final = NS // 2
+"""A package older than the last one by up to so many ns is late or repeated, and discarded; one
+older still comes from a clock that began anew."""
 _NOWHERE: Final[Vector6] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -71,6 +75,8 @@ class UrArm:
         self._sequence = 0
         self._awaited = False  # a command is out whose package has not been read
         self._t = _NEVER
+        self._last: Sample | None = None
+        self.discarded = 0  # packages that were no newer than one read before
         self._cycle = 0  # of the motion program, as it was last heard
         self._actual: Vector6 = _NOWHERE
         self._set_point: Vector6 | None = None
@@ -180,7 +186,7 @@ class UrArm:
                 f"the caller was built for {self._expected_rate} Hz"
             )
         self._rate = agreement.rate
-        self._t, self._awaited, self._set_point = _NEVER, False, None
+        self._t, self._awaited, self._set_point, self._last = _NEVER, False, None, None
         self._sequence = self._exchange(Command.LEAVE).echo & SEQUENCE_MASK
 
     def _upload(self) -> None:
@@ -208,19 +214,30 @@ class UrArm:
         self._awaited = True
 
     def _receive(self) -> Sample:
-        sample = Sample._make(self._rtde.read_newest())
+        """The newest package, if it is newer than the last one; else the next that is.
+
+        Raises ProtocolError for one that cannot be true.
+        """
+        t, sample, payload = self._newest()
+        while t <= self._t:
+            if t < self._t - REPLAY:
+                raise LinkError(f"controller time went back from {self._t} to {t} ns; it restarted")
+            t, sample, payload = self._newest()
+        check(sample, self._last)
         self._awaited = False
-        try:
-            t = sample.t
-        except (ValueError, OverflowError):
-            raise ProtocolError(f"controller time is {sample.timestamp} s") from None
-        if t < self._t:
-            raise LinkError(f"controller time went back from {self._t} to {t} ns; it restarted")
-        self._t, self._cycle = t, sample.cycle
+        self._t, self._cycle, self._last = t, sample.cycle, sample
         self._actual = sample.pose
         if self._tap is not None:
-            self._tap(t, False, encode(PackageType.DATA, self._rtde.received))
+            self._tap(t, False, encode(PackageType.DATA, payload))
         return sample
+
+    def _newest(self) -> tuple[int, Sample, bytes]:
+        """Time (ns), values and payload of the newest of the packages that wait."""
+        samples = [Sample._make(values) for values in self._rtde.read()]
+        times = [_time(sample) for sample in samples]
+        newest = max(range(len(times)), key=times.__getitem__)
+        self.discarded += sum(t <= self._t for t in times)
+        return times[newest], samples[newest], self._rtde.received[newest]
 
     def _explained(self, sample: Sample) -> DriverError:
         """The fault, with what the controller last said as notes."""
@@ -228,3 +245,11 @@ class UrArm:
         for text in self._rtde.texts:
             error.add_note(f"controller: {text.message}")
         return error
+
+
+def _time(sample: Sample) -> int:
+    """Controller time, ns."""
+    try:
+        return sample.t
+    except (ValueError, OverflowError):
+        raise ProtocolError(f"controller time is {sample.timestamp} s") from None

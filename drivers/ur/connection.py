@@ -1,4 +1,4 @@
-"""The RTDE connection: one TCP stream, one recipe each way, the newest package wins."""
+"""The RTDE connection: one TCP stream, one recipe each way."""
 
 import socket
 from collections import deque
@@ -30,7 +30,7 @@ class RtdeConnection:
         self._agreement: Agreement | None = None
         self._cutter = Cutter()
         self._buffer = memoryview(bytearray(_BUFFER))
-        self.received = b""  # payload of the last data package
+        self.received: list[bytes] = []  # payloads of the last data packages
         self.texts: deque[setup.TextMessage] = deque(maxlen=8)  # newest last, for error messages
 
     @property
@@ -61,20 +61,26 @@ class RtdeConnection:
         body = agreement.inputs.pack(values)
         return encode(PackageType.DATA, bytes((agreement.input_id,)) + body)
 
-    def read_newest(self) -> tuple[object, ...]:
-        """Block for a package of the output recipe; the newest one's values."""
+    def read(self) -> list[tuple[object, ...]]:
+        """Block for packages of the output recipe; the values of all that wait, in their order.
+
+        Their payloads are in `received`.
+        """
         agreement = self._agreed()
-        newest: bytes | None = None
+        self.received = []
         full = False
-        while newest is None or full:
+        while not self.received or full:
             packages, full = self._receive()
             for package in packages:
                 if package.type == PackageType.DATA:
-                    newest = package.payload
+                    self.received.append(package.payload)
                 else:
                     self._note(package)
-        self.received = newest
-        return self._unpack(agreement, newest)
+        return [self._unpack(agreement, payload) for payload in self.received]
+
+    def read_newest(self) -> tuple[object, ...]:
+        """Block for a package of the output recipe; the last one's values."""
+        return self.read()[-1]
 
     def _unpack(self, agreement: Agreement, payload: bytes) -> tuple[object, ...]:
         if not payload or payload[0] != agreement.output_id:

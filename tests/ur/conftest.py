@@ -34,6 +34,7 @@ class TinyRobot:
         self.starts_programs = True
         self.silent = False
         self.extra = b""  # sent before each data package
+        self.after = lambda: b""  # what is sent after it
         self.refusals = 0  # how often `unlock protective stop` is refused
         self.commands, self.scripts, self.dashboard_lines = [], [], []
 
@@ -107,7 +108,8 @@ class TinyRobot:
             return encode(kind, setup.encode_accepted(self.start_accepted))
         self.step(self.in_recipe.unpack(payload[1:]))
         body = self.out_recipe.pack(self.values())
-        return b"" if self.silent else self.extra + encode(PackageType.DATA, b"\x01" + body)
+        package = self.extra + encode(PackageType.DATA, b"\x01" + body) + self.after()
+        return b"" if self.silent else package
 
     def _types(self, table, names):
         types = [self.verdicts.get(name, table[name].type.name) for name in names]

@@ -21,6 +21,15 @@ from drivers.ur.program import Command
 POSE = (0.41, -0.1, 0.2, 0.0, 3.1, 0.0)
 
 
+def _package(robot, **changes):
+    """What the robot would say, but for some values."""
+    names = {"t": 0, "q": 1, "pose": 2, "twist": 4}
+    values = list(robot.values())
+    for name, value in changes.items():
+        values[names[name]] = value
+    return encode(PackageType.DATA, b"\x01" + robot.out_recipe.pack(values))
+
+
 @pytest.fixture
 def arm(served):
     arm = UrArm("127.0.0.1", served.ports)
@@ -158,10 +167,13 @@ def test_an_output_that_does_not_exist_is_the_callers_error(connected, bit):
 
 
 @pytest.mark.parametrize("k", [1, 3, 12345, 987654321])
-def test_controller_time_is_exact_in_nanoseconds(connected, robot, k):
+def test_controller_time_is_exact_in_nanoseconds(arm, robot, k):
     robot.t = k * 0.008 + 1000.0
-    connected.hold()
-    assert connected.read().t == (k + 1) * 8_000_000 + 1_000_000_000_000
+    arm.connect()
+    arm.read()
+    robot.t = (k + 100) * 0.008 + 1000.0
+    arm.hold()
+    assert arm.read().t == (k + 101) * 8_000_000 + 1_000_000_000_000
 
 
 def test_time_that_goes_back_is_a_link_error(connected, robot):
@@ -179,11 +191,55 @@ def test_a_time_that_is_no_number_is_a_protocol_error(connected, robot):
 
 
 def test_the_newest_of_several_packages_is_read(connected, robot):
-    robot.extra = encode(
-        PackageType.DATA, b"\x01" + robot.out_recipe.pack((0.0, *robot.values()[1:]))
-    )
+    robot.extra = _package(robot, t=robot.t - 0.1)
     connected.hold()
     assert connected.read().t == round(robot.t * 1e9)
+
+
+@pytest.mark.parametrize("back", [0.0, 0.008, 0.4])
+def test_a_package_that_is_late_or_repeated_is_discarded(connected, robot, back):
+    robot.extra = _package(robot, t=robot.t - back)
+    connected.hold()
+    state = connected.read()
+    assert state.t == round(robot.t * 1e9)
+    assert state.pose == robot.pose
+    assert connected.discarded == 1
+
+
+@pytest.mark.parametrize("back", [0.0, 0.008, 0.4])
+def test_a_late_package_behind_the_newest_does_not_displace_it(connected, robot, back):
+    robot.after = lambda: _package(robot, t=robot.t - back)
+    for _ in range(5):
+        connected.hold()
+        state = connected.read()
+        assert state.pose == robot.pose
+    connected.hold()
+    assert connected.read().t > state.t
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"pose": (0.4, -0.1, math.nan, 0.0, 3.1, 0.0)},
+        {"q": (0.0, math.inf, 0.0, 0.0, 0.0, 0.0)},
+        {"twist": (math.nan,) * 6},
+        {"pose": (0.4, -0.1, 1e6, 0.0, 3.1, 0.0)},
+        {"pose": (0.4, -0.1, 0.9, 0.0, 3.1, 0.0)},
+        {"q": (0.0, 0.0, 0.5, 0.0, 0.0, 0.0)},
+        {"q": (0.0, 0.0, 50.0, 0.0, 0.0, 0.0)},
+        {"t": 1e6},
+    ],
+)
+def test_a_package_that_cannot_be_true_is_an_error_and_not_used(connected, robot, changes):
+    sound = robot.pose
+    robot.after = lambda: _package(robot, **({"t": robot.t + 1e-3} | changes))
+    connected.hold()
+    with pytest.raises(ProtocolError, match="controller"):
+        connected.read()
+    robot.after = lambda: b""
+    connected.stop()
+    assert connected.read().pose == sound
+    assert robot.commands[-1][2:8] == sound
 
 
 @pytest.mark.parametrize(
