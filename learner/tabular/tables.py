@@ -27,11 +27,15 @@ def take_up(pool: Pool, state: State) -> None:
 
 
 def restore(name: str, mine: NDArray[np.generic], found: object) -> None:
-    """Fill an array from a checkpoint's; CheckpointError when shape or type differ."""
+    """Fill an array from a checkpoint's; CheckpointError when shape or type differ, or it holds NaN
+    or infinity: a policy made of them would choose blindly.
+    """
     if not isinstance(found, np.ndarray):
         raise CheckpointError(f"'{name}' is missing")
     if (found.shape, found.dtype) != (mine.shape, mine.dtype):
         raise CheckpointError(
             f"'{name}' is {found.dtype} {found.shape}, this learner's {mine.dtype} {mine.shape}"
         )
+    if np.issubdtype(found.dtype, np.floating) and not np.isfinite(found).all():
+        raise CheckpointError(f"'{name}' holds values that are not finite: its writer had failed")
     mine[...] = found

@@ -10,6 +10,7 @@ from controller.outcome import Kind
 from learner.build import maker
 from learner.checkpoint import Checkpoint, decode, encode
 from learner.episode import Episode
+from learner.errors import CheckpointError
 from learner.grid import Cell, Grid
 from learner.parallel.agents import Agents
 from learner.parallel.outcomes import DANGER, FAIL, SUCCESS
@@ -158,3 +159,27 @@ def test_a_checkpoint_at_any_step_goes_on_like_the_learner_that_wrote_it(name, s
         again.reset(np.random.default_rng(seed + 1))
         further.append(walked(each, again, 40))
     assert further[0] == further[1]
+
+
+def floats(state):
+    """Every array of floats that a learner remembers, wherever it lies."""
+    for value in state.values():
+        if isinstance(value, dict):
+            yield from floats(value)
+        elif isinstance(value, np.ndarray) and value.dtype.kind == "f":
+            yield value
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+@pytest.mark.parametrize("name", ["ql", "double-ql", "wdql-alone", "wdql", "belief"])
+def test_a_policy_of_values_that_are_not_finite_is_refused(name, wrong):
+    made = maker(name)
+    state = made(GRID, 30, np.random.default_rng(1)).save()
+    tables = list(floats(state))
+    assert tables
+    for table in tables:
+        kept, table.flat[-1] = table.flat[-1], wrong
+        with pytest.raises(CheckpointError, match="not finite"):
+            made(GRID, 30, np.random.default_rng(1)).load(state)
+        table.flat[-1] = kept
+    made(GRID, 30, np.random.default_rng(1)).load(state)

@@ -135,6 +135,13 @@ def test_a_large_c_is_not_double_q_learning():
     assert not np.array_equal(a.q1, b.q1)
 
 
+@given(st.lists(st.floats(), min_size=48, max_size=48), st.booleans())
+def test_whatever_is_in_the_tables_the_choice_is_one_of_the_six(values, random_ties):
+    one = filled(values)
+    for row in range(4):
+        assert choose(one, LAW._replace(random_ties=random_ties), row, 0) in range(6)
+
+
 def test_an_untrained_table_takes_every_action_about_equally():
     one = pool()
     taken = np.bincount([choose(one, LAW, 0, 0) for _ in range(6000)], minlength=6)
