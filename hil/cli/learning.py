@@ -67,6 +67,9 @@ def fast_model(
     *,
     rig: RigOption = "ffc_learning",
     poses: Annotated[int, typer.Option(min=1, help="Random poses near the slot.")] = 500,
+    steps: Annotated[
+        int, typer.Option(min=1, help="Random steps from each; a dozen meet dangers too.")
+    ] = 1,
     seed: campaign.FirstSeed = 1,
     jobs: campaign.Jobs = None,
     scheduler: campaign.Scheduler = "",
@@ -86,7 +89,7 @@ def fast_model(
     from hil.view import tables  # noqa: PLC0415
 
     _, content = read(rig)
-    series = plan(content.decode(), poses, seed)
+    series = plan(content.decode(), poses, steps, seed)
     outcomes = campaign.conduct(
         series, jobs=jobs, scheduler=scheduler, ledger=ledger, fresh=fresh, quiet=json
     )

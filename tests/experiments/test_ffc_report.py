@@ -2,8 +2,9 @@
 
 from controller.outcome import Kind
 from hil.app.train import EpisodeResult
-from hil.campaign.run import Outcome, Verdict
-from hil.experiments.fast_model import as_text, confusion
+from hil.campaign.run import Outcome, Run, Verdict
+from hil.cli.shipped import read
+from hil.experiments.fast_model import CLASSES, as_text, confusion, one
 from hil.experiments.ffc.report import write
 from hil.experiments.ffc.runs import Training
 from hil.experiments.ffc.sight import Sight
@@ -45,3 +46,12 @@ def test_confusion_counts_what_both_made_of_each_pose_and_no_broken_run():
     assert (found.trials, found.agreement) == (4, 0.5)
     assert found.counts["caught"]["inserted"] == 2
     assert "4 poses, the same outcome on 50.0 %" in as_text(found, {}, (1e-4, 2e-4))
+
+
+def test_plant_and_world_are_led_by_the_same_steps_to_mostly_the_same_end():
+    text = read("ffc_learning")[1].decode()
+    report = one(Run("hil.experiments.fast_model:one", text, 1, {"steps": 2}))
+    found = confusion([Outcome(Verdict.PASSED, figures=report.figures)])
+    assert found.trials == 25
+    assert found.agreement > 0.6
+    assert {end for row in found.counts.values() for end in row} == set(CLASSES)
