@@ -42,7 +42,8 @@ class InlineCell:
         self._stopped = Event()
         self._failure: BaseException | None = None
         self._report: CellReport | None = None
-        self._thread = Thread(target=self._run, name="cell")
+        # A cell that nobody closed must not keep the interpreter from ending.
+        self._thread = Thread(target=self._run, name="cell", daemon=True)
 
     @property
     def doors(self) -> Doors:

@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
+from typing import NamedTuple
 
-from controller.action import observation
+from controller.action import Observation, Policy, observation
 from controller.course import Course, Phase
 from controller.cycle import Cycle
 from controller.job import bring_back, episode, fetch, leave
@@ -55,6 +56,14 @@ class EpisodeResult:
     seconds: float
 
 
+class Attempt(NamedTuple):
+    """One episode as the controller knows it: how it ended, the last sight of it, bench seconds."""
+
+    outcome: Outcome
+    seen: Observation
+    seconds: float
+
+
 class Trainer:
     """Drives jobs one after the other on a connected near side; `observe` goes into the loop."""
 
@@ -73,24 +82,36 @@ class Trainer:
         number = 0
         for index, (name, count) in enumerate(schedule.parts):
             plan = start_plan(self._rig, part_named(self._rig, name), seed)
-            self._insist(partial(fetch, plan=plan, gripper=self._near.gripper), name)
+            self.fetch(plan, name)
             if index:
                 learner.grip_changed()
             for _ in range(count):
                 number += 1
                 yield self._episode(learner, plan, number, name)
-            self._insist(partial(bring_back, plan=plan, gripper=self._near.gripper), name)
+            self.bring_back(plan, name)
+
+    def fetch(self, plan: Plan, part: str) -> None:
+        """Grip the part; CellError when that fails `TRIES` times."""
+        self._insist(partial(fetch, plan=plan, gripper=self._near.gripper), part)
+
+    def bring_back(self, plan: Plan, part: str) -> None:
+        """Put the part back into its fixture; CellError when that fails `TRIES` times."""
+        self._insist(partial(bring_back, plan=plan, gripper=self._near.gripper), part)
+
+    def attempt(self, plan: Plan, part: str, policy: Policy) -> Attempt:
+        """One episode with the part in the jaws, which are above the connector again after it."""
+        begin = self._now
+        outcome = self._do(partial(episode, plan=plan, sensor=self._near.sensor, policy=policy))
+        assert self.last is not None, "an episode has cycles"
+        found = Attempt(outcome, observation(self.last), (self._now - begin) * 1e-9)
+        self._insist(partial(leave, plan=plan), part, relaxed=True)
+        return found
 
     def _episode(self, learner: Learner, plan: Plan, number: int, part: str) -> EpisodeResult:
         for _ in range(TRIES):
             policy = Episode(learner)
-            begin = self._now
-            job = partial(episode, plan=plan, sensor=self._near.sensor, policy=policy)
-            outcome = self._do(job)
-            assert self.last is not None, "an episode has cycles"
-            policy.end(observation(self.last), outcome.kind)
-            seconds = (self._now - begin) * 1e-9
-            self._insist(partial(leave, plan=plan), part, relaxed=True)
+            outcome, seen, seconds = self.attempt(plan, part, policy)
+            policy.end(seen, outcome.kind)
             if outcome.kind in ENDINGS:
                 return EpisodeResult(
                     number, part, outcome.kind, outcome.reason, policy.steps, seconds
