@@ -54,7 +54,9 @@ def falsify(
     sampler = attempt.seed
     worst = search(attempt, kinds, faults=at_once, budget=budget, seed=sampler, tell=tell)
     trial = attempt.run(worst.schedule)
-    found = Regression(rig, attempt.seed, policy.value, worst.schedule, trial.reason)
+    found = Regression(
+        rig, attempt.seed, policy.value, worst.schedule, trial.reason, formula=formula
+    )
     out.write_text(found.as_yaml(), encoding="utf-8")
     kind = "violated" if worst.violated else "nothing violated; the nearest"
     typer.echo(f"{kind}: robustness {worst.robustness:+.3f} in run {worst.runs} of {budget}")
@@ -77,6 +79,7 @@ def shrink(
     from hil.falsify.trials import shrunk  # noqa: PLC0415
 
     given = load(found)
+    formula = formula or given.formula
     attempt = _attempt(given.rig, given.seed, given.policy, formula)
     _writable(out or found)
     try:
@@ -88,7 +91,7 @@ def shrink(
         raise typer.BadParameter(f"{found}: {error}") from None
     trial = attempt.run(least.schedule)
     kept = Regression(
-        given.rig, given.seed, given.policy, least.schedule, trial.reason, least.any_value
+        given.rig, given.seed, given.policy, least.schedule, trial.reason, least.any_value, formula
     )
     (out or found).write_text(kept.as_yaml(), encoding="utf-8")
     for fault in least.schedule.faults:
@@ -106,14 +109,17 @@ def again(path: Path, *, json: bool) -> int:
 
     given = load(path)
     trial = _attempt(given.rig, given.seed, given.policy, "").run(given.schedule)
+    violated = given.violated(trial)
     if json:
         words = {"verdict": trial.verdict.value, "reason": trial.reason, "sha256": trial.digest}
+        words |= {"violated": violated}
         typer.echo(as_json(words), nl=False)
     else:
         for event in trial.events:
             typer.echo(f"{event.t * 1e-9:9.3f} s  {event}")
         typer.echo(f"{trial.verdict.value}: {trial.reason}\nsha256 {trial.digest}")
-    return 0 if trial.verdict.value == "passed" else FAILED
+        typer.echo(f"violated: {violated}" if violated else "nothing violated")
+    return FAILED if violated else 0
 
 
 def _attempt(rig: str, seed: int | None, policy: str, formula: str) -> "Attempt":

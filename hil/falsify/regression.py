@@ -11,17 +11,23 @@ from hil.cell.errors import FaultError
 from hil.cell.faults.parse import schedule
 from hil.cell.faults.schedule import Schedule
 from hil.falsify.errors import FalsifyError
+from hil.monitors.errors import MonitorError
+from hil.monitors.monitor import Monitor
+from hil.trial.signals import SCALES
+from hil.trial.trial import Trial
+from hil.trial.verdict import Verdict
 
 SUFFIX: Final = ".regression.yaml"
 """By which pytest knows such a file."""
-KEYS: Final = ("rig", "seed", "policy", "faults", "found", "any_value")
+KEYS: Final = ("rig", "seed", "policy", "faults", "formula", "found", "any_value")
 
 
 @dataclass(frozen=True, slots=True)
 class Regression:
     """rig: a shipped name, or a path as seen from the file. found: what it violated, in words.
 
-    any_value: parameters that did not matter, as `C1.share`.
+    any_value: parameters that did not matter, as `C1.share`. formula: what has to hold in every
+    period besides the always-on monitors, if anything.
     """
 
     rig: str
@@ -30,10 +36,20 @@ class Regression:
     schedule: Schedule
     found: str = ""
     any_value: tuple[str, ...] = field(default=())
+    formula: str = ""
+
+    def violated(self, trial: Trial) -> str:
+        """What a run under it did wrong, in words; "" for nothing."""
+        if trial.verdict is not Verdict.PASSED:
+            return f"{trial.verdict.value}: {trial.reason}"
+        robustness = trial.trace.robustness(self.formula) if self.formula else 0.0
+        return f"{self.formula}: robustness {robustness:+.3f}" if robustness < 0.0 else ""
 
     def as_yaml(self) -> str:
         content: dict[str, object] = {"rig": self.rig, "seed": self.seed, "policy": self.policy}
         content |= self.schedule.written()
+        if self.formula:
+            content["formula"] = self.formula
         if self.found:
             content["found"] = self.found
         if self.any_value:
@@ -72,4 +88,15 @@ def _read(path: Path, content: Mapping[object, object]) -> Regression:
     words = tuple(map(str, any_value)) if isinstance(any_value, Sequence) else ()
     beside = path.parent / rig
     where = str(beside) if beside.is_file() else rig
-    return Regression(where, seed, policy, faults, str(content.get("found", "")), words)
+    formula = _formula(path, content.get("formula", ""))
+    found = str(content.get("found", ""))
+    return Regression(where, seed, policy, faults, found, words, formula)
+
+
+def _formula(path: Path, text: object) -> str:
+    try:
+        if text:
+            Monitor(str(text), SCALES)
+    except MonitorError as error:
+        raise FalsifyError(f"{path}: formula: {error}") from None
+    return str(text)

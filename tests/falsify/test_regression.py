@@ -14,7 +14,7 @@ from hil_fixtures import strategies as hs
 @given(hs.fault_schedules(max_faults=3), st.integers(0, 99))
 def test_a_kept_schedule_is_read_as_it_was_written(tmp_path_factory, schedule, seed):
     path = tmp_path_factory.mktemp("kept") / "found.regression.yaml"
-    kept = Regression("ffc_ur5", seed, "pose", schedule, "failed: F1", ("C1.share",))
+    kept = Regression("ffc_ur5", seed, "pose", schedule, "failed: F1", ("C1.share",), "force <= 1")
     path.write_text(kept.as_yaml())
     assert load(path) == kept
 
@@ -35,6 +35,7 @@ def test_a_schedule_as_a_case_is_the_same_schedule(schedule):
         ("rig: ffc_ur5\nseed: 1\nfaults: []", "a list of at least one fault"),
         ("rig: 7\nseed: 1\nfaults: [C1]", "rig and policy are names"),
         ("rig: ffc_ur5\nseeds: 1\nfaults: [C1]", "no such key 'seeds'"),
+        ("rig: ffc_ur5\nseed: 1\nformula: froce <= 1\nfaults: [C1]", "did you mean 'force'"),
         ("[1, 2", "not YAML"),
     ],
 )
