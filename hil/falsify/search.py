@@ -25,8 +25,8 @@ Told = Callable[[int, Case, float], None]
 
 STARTUP: Final = 8
 """Runs before the estimator has something to go by."""
-AFRESH: Final = 2
-"""Every so many runs is drawn like the first ones: the estimator alone gets stuck in a corner."""
+AFRESH: Final = 4
+"""Every so many runs is drawn like the first ones: an estimator may be stuck in a corner."""
 
 
 @dataclass(frozen=True, slots=True)
