@@ -16,6 +16,7 @@ class Trip(Enum):
     WORKSPACE = "workspace"
     STEP = "set-point step"
     SPEED = "set-point speed"
+    FOLLOWING = "following error"
 
 
 class PartLostError(ControlError):

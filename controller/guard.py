@@ -18,6 +18,7 @@ class Limits:
 
     workspace: half widths around the connector, task frame, m. step, step_rotation: largest
     set-point change of one period, m and rad. speed: of the set-point, m/s. sample_age: ns.
+    following: how far the arm may be from the last set-point, m.
     """
 
     force_bound: tuple[float, float, float, float] = (1.5, 1.5, 10.0, 1.0)
@@ -26,6 +27,7 @@ class Limits:
     step_rotation: float = 0.0174532925199433
     speed: float = 0.3
     sample_age: int = 10_000_000
+    following: float = 0.05
 
     def relaxed(self, factor: float = 3.0) -> "Limits":
         """The same with wider force bounds: for leaving a contact, or where force is no verdict."""
@@ -49,7 +51,7 @@ class Guard:
         self._last: Place | None = None
 
     def check(self, cycle: Cycle) -> None:
-        """What was measured: finite, fresh, and within the force bound."""
+        """What was measured: finite, fresh, within the force bound, and where it was sent."""
         _finite("wrench", cycle.wrench)
         _finite("stage", cycle.stage)
         limits = self._limits
@@ -58,6 +60,9 @@ class Guard:
         for (name, axis), bound in zip(_FORCES, limits.force_bound, strict=True):
             if abs(cycle.wrench[axis]) > bound:
                 raise GuardTrip(Trip.FORCE, name, abs(cycle.wrench[axis]), bound)
+        behind = dist(cycle.stage[:3], self._last[:3]) if self._last is not None else 0.0
+        if behind > limits.following:
+            raise GuardTrip(Trip.FOLLOWING, "way to the set-point", behind, limits.following)
 
     def check_setpoint(self, setpoint: Place, stage: Place) -> None:
         """What is about to be sent; the first set-point is held against the actual stage."""

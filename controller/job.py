@@ -20,9 +20,7 @@ def assembly(
     """Pick up the part, insert it, leave it there; a part that would not go in is put back."""
     if not (yield from pick_up(course, gripper, plan.part, plan.grip, plan.travel)):
         return _no_grip(plan)
-    course.carry(gripper.holds)
-    ending = yield from episode(course, plan, sensor, policy)
-    course.carry(None)
+    ending = yield from held_episode(course, plan, sensor, gripper, policy)
     if ending.kind is Kind.INSERTED and not (yield from release(course, gripper, plan.grip)):
         return _no_release(plan)
     yield from retract(course, plan.travel)
@@ -41,6 +39,16 @@ def episode(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Polic
     if plan.tare_samples:
         yield from tare(course, sensor, plan.tare_samples)
     return (yield from find_and_insert(course, plan, policy))
+
+
+def held_episode(
+    course: Course, plan: Plan, sensor: ForceTorqueSensor, gripper: Gripper, policy: Policy
+) -> Phase[Ending]:
+    """An episode in whose every cycle the jaws must feel the part; raises PartLostError."""
+    course.carry(gripper.holds)
+    ending = yield from episode(course, plan, sensor, policy)
+    course.carry(None)
+    return ending
 
 
 def fetch(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:

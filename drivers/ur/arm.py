@@ -22,6 +22,7 @@ from drivers.ur.plausible import check
 from drivers.ur.program import SEQUENCE_MASK, Command, ServoProgram
 from drivers.ur.sample import INPUTS, OUTPUTS, Sample, fault
 from drivers.ur.script_port import ScriptPort
+from drivers.ur.tcp import insist
 
 _BARE_FLANGE: Final = ServoProgram()
 _OUTPUT_BITS: Final = 8
@@ -52,6 +53,7 @@ class UrArm:
     """One arm at `host`. limit: wall-clock s of silence after which a link counts as dead.
 
     rate: Hz that the caller was built for, checked against the controller's; None takes that.
+    tries: attempts at an RTDE link that is refused or cut, before anything moves.
     tap: hears every data package that is sent or read.
     """
 
@@ -63,6 +65,7 @@ class UrArm:
         program: ServoProgram = _BARE_FLANGE,
         rate: int | None = None,
         limit: float = 5.0,
+        tries: int = 3,
         tap: Tap | None = None,
     ) -> None:
         self._rtde = RtdeConnection(host, ports.rtde, OUTPUTS, INPUTS, limit)
@@ -71,6 +74,7 @@ class UrArm:
         self._program = program
         self._expected_rate = rate
         self._rate = rate
+        self._tries = tries
         self._tap = tap
         self._sequence = 0
         self._awaited = False  # a command is out whose package has not been read
@@ -179,7 +183,7 @@ class UrArm:
         """Connect unless connected, and count on from the sequence an earlier program echoes."""
         if self._rtde.is_open:
             return
-        agreement = self._rtde.open()
+        agreement = insist(self._rtde.open, self._tries)
         if self._expected_rate not in (None, agreement.rate):
             raise RobotStateError(
                 f"controller {agreement.version} runs at {agreement.rate} Hz, "

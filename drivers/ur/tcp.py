@@ -2,10 +2,17 @@
 
 import socket
 import struct
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import count
+from time import sleep
+from typing import Final, TypeVar
 
 from drivers.errors import LinkError, LinkTimeoutError
+
+R = TypeVar("R")
+BACK_OFF: Final = 0.1
+"""Wall s before the second attempt at a link; each later wait is twice as long."""
 
 
 def open_stream(host: str, port: int, service: str, limit: float) -> socket.socket:
@@ -42,3 +49,22 @@ def explain(error: OSError, peer: str, limit: float) -> LinkError:
     if isinstance(error, ConnectionError):
         return LinkError(f"{peer} cut the connection")
     return LinkError(f"{peer} cannot be reached: {error.strerror or error}")
+
+
+def insist(attempt: Callable[[], R], tries: int) -> R:
+    """The attempt's result, tried anew, ever later, when a link is refused or cut.
+
+    Raises the last LinkError with the number of attempts as its note. Silence is not tried again:
+    it has taken its time already.
+    """
+    for tried in count(1):
+        try:
+            return attempt()
+        except LinkTimeoutError:
+            raise
+        except LinkError as error:
+            if tried >= tries:
+                error.add_note(f"{tried} attempts")
+                raise
+        sleep(BACK_OFF * 2 ** (tried - 1))
+    raise AssertionError("counting has no end")

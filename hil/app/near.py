@@ -56,6 +56,7 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None, limit: float = LIMIT
         program=program,
         rate=rig.robot.rate,
         limit=limit,
+        tries=rig.limits.connect_tries,
         tap=tap,
     )
     jaws = rig.robot.jaws
@@ -89,6 +90,7 @@ def limits(rig: Rig) -> Limits:
         step_rotation=of.step_rotation,
         speed=of.speed,
         sample_age=round(of.sample_age * NS),
+        following=of.following,
     )
 
 

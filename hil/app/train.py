@@ -13,7 +13,7 @@ from typing import NamedTuple
 from controller.action import Observation, Policy, observation
 from controller.course import Course, Phase
 from controller.cycle import Cycle
-from controller.job import bring_back, episode, fetch, leave
+from controller.job import bring_back, fetch, held_episode, leave
 from controller.loop import Loop
 from controller.outcome import Ending, Kind, Outcome
 from controller.place import Place
@@ -100,8 +100,9 @@ class Trainer:
 
     def attempt(self, plan: Plan, part: str, policy: Policy) -> Attempt:
         """One episode with the part in the jaws, which are above the connector again after it."""
-        begin = self._now
-        outcome = self._do(partial(episode, plan=plan, sensor=self._near.sensor, policy=policy))
+        begin, near = self._now, self._near
+        job = partial(held_episode, plan=plan, sensor=near.sensor, gripper=near.gripper)
+        outcome = self._do(partial(job, policy=policy))
         assert self.last is not None, "an episode has cycles"
         found = Attempt(outcome, observation(self.last), (self._now - begin) * 1e-9)
         self._insist(partial(leave, plan=plan), part, relaxed=True)

@@ -16,9 +16,11 @@ from drivers.ur.program import SEQUENCE_MASK, Command
 from hil.cell.bench import Bench
 from hil.cell.rig import Rig
 from hil.cell.serve import Tick
+from hil.trial.always import monitors
 from hil.trial.signals import NAMES
 from hil.trial.trace import Trace, trace
 from hil.trial.truth import Push, Vector4
+from hil.trial.verdict import Judge
 
 _COMMAND, _SEQUENCE = 24, 25
 _SAFE: Final = (SafetyMode.NORMAL, SafetyMode.REDUCED)
@@ -36,13 +38,15 @@ def no_faults() -> tuple[int, bool]:
 class Sampler:
     """far: its `tick` is the cell's observer. near: `command`, `cycle` and `stopping`.
 
-    leaving: the near side has done its work; its next command is no longer part of it.
+    leaving: the near side has done its work; its next command is no longer part of it. judge: the
+    always-on monitors, which see each period as it ends.
     """
 
     def __init__(self, rig: Rig) -> None:
         self._bound = rig.limits.force_bound
         self._length = rig.tool.length
         self._push = Push(rig.tool.mass, rig.robot.period)
+        self.judge = Judge(monitors(rig))
         self.faults: Forces = no_faults
         self.noticed: int | None = None
         self._rows: list[tuple[float, ...]] = []
@@ -102,6 +106,7 @@ class Sampler:
         self._commands = 0
         self._rows.append(row)
         self._phases.append(self.phase)
+        self.judge.step(dict(zip(NAMES, row, strict=True)), self.phase)
 
     @property
     def trace(self) -> Trace:

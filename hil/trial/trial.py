@@ -20,14 +20,13 @@ from hil.cell.errors import CellError
 from hil.cell.faults.log import FaultEvent, idle
 from hil.cell.faults.schedule import Numbered, Schedule
 from hil.cell.rig import Rig
-from hil.trial.always import monitors
 from hil.trial.drive import Driven, Driver
 from hil.trial.figures import Figures, figures
 from hil.trial.fmea import load
 from hil.trial.owed import Owed
 from hil.trial.sampler import Sampler
 from hil.trial.trace import Trace
-from hil.trial.verdict import Judgement, Verdict, Violation, judge
+from hil.trial.verdict import Judgement, Verdict, Violation
 
 NS: Final = 1_000_000_000
 LONGEST: Final = 120.0
@@ -111,7 +110,7 @@ def run_trial(
         told = events(cell.served) + (host.events if host is not None else ())
         log = cell.served.bench.arm.log
     told = tuple(sorted(told, key=lambda event: event.t))
-    judgement = judge(sampler.trace, monitors(rig))
+    judgement = sampler.judge.judgement
     verdict, reason = _verdict(driven, died, judgement, told)
     return Trial(
         seed=seed,

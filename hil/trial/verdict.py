@@ -1,6 +1,6 @@
 """From what a run showed to one word."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -48,21 +48,48 @@ class Judgement:
     violations: tuple[Violation, ...]
 
 
-def judge(trace: Trace, monitors: Sequence[Always]) -> Judgement:
-    """Every monitor over the whole run, in one pass."""
-    running = [Monitor(one.formula, SCALES) for one in monitors]
-    names = sorted(frozenset().union(*(monitor.signals for monitor in running)))
-    worst = [float("inf")] * len(running)
-    false: list[list[int]] = [[] for _ in running]
-    for period, row in enumerate(trace.rows(names)):
-        for n, monitor in enumerate(running):
+class Judge:
+    """Monitors that run beside the loop: each period as it ends, in one pass."""
+
+    def __init__(self, monitors: Sequence[Always]) -> None:
+        self._monitors = monitors
+        self._running = [Monitor(one.formula, SCALES) for one in monitors]
+        self._worst = [float("inf")] * len(monitors)
+        self._first: list[tuple[float, str] | None] = [None] * len(monitors)
+        self._periods = [0] * len(monitors)
+
+    @property
+    def signals(self) -> Sequence[str]:
+        """What a row must have, sorted; the time besides."""
+        return sorted(frozenset({"t"}).union(*(monitor.signals for monitor in self._running)))
+
+    def step(self, row: Mapping[str, float], phase: str) -> None:
+        """Take the next period's values."""
+        for n, monitor in enumerate(self._running):
             robustness, holds = monitor.step(row)
-            worst[n] = min(worst[n], robustness)
+            self._worst[n] = min(self._worst[n], robustness)
             if not holds:
-                false[n].append(period)
-    violations = tuple(
-        Violation(one.name, float(trace["t"][at[0]]), trace.phases[at[0]], worst[n], len(at))
-        for n, (one, at) in enumerate(zip(monitors, false, strict=True))
-        if at
-    )
-    return Judgement(dict(zip((one.name for one in monitors), worst, strict=True)), violations)
+                self._first[n] = self._first[n] or (row["t"], phase)
+                self._periods[n] += 1
+
+    @property
+    def judgement(self) -> Judgement:
+        """Of all periods so far."""
+        names = [one.name for one in self._monitors]
+        found = zip(names, self._first, self._worst, self._periods, strict=True)
+        return Judgement(
+            dict(zip(names, self._worst, strict=True)),
+            tuple(
+                Violation(name, *first, worst, periods)
+                for name, first, worst, periods in found
+                if first is not None
+            ),
+        )
+
+
+def judge(trace: Trace, monitors: Sequence[Always]) -> Judgement:
+    """The same over a run that is over."""
+    one = Judge(monitors)
+    for row, phase in zip(trace.rows(one.signals), trace.phases, strict=True):
+        one.step(row, phase)
+    return one.judgement

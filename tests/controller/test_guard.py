@@ -108,3 +108,16 @@ def test_a_wider_bound_lets_a_stopped_arm_leave():
     with pytest.raises(GuardTrip):
         Guard(wide, PERIOD).check(cycle((3.1, 0.0, 0.0, 0.0, 0.0, 0.0)))
     assert replace(wide, force_bound=Limits().force_bound) == Limits()
+
+
+def test_an_arm_that_falls_behind_its_set_points_is_stopped(guard):
+    place = HERE
+    for _ in range(24):  # 48 mm at 0.25 m/s
+        place = place._replace(x=place.x + 2e-3)
+        guard.check_setpoint(place, HERE)
+    guard.check(cycle())
+    for ahead in (2e-3, 4e-3):
+        guard.check_setpoint(place._replace(x=place.x + ahead), HERE)
+    with pytest.raises(GuardTrip, match="following error") as caught:
+        guard.check(cycle())
+    assert caught.value.trip is Trip.FOLLOWING

@@ -150,6 +150,21 @@ def test_episodes_follow_each_other_with_one_grip(make_cell):
     assert not cell.world.holding
 
 
+def test_an_episode_whose_part_is_lost_ends_before_it_touches_anything(make_cell):
+    cell = make_cell(slot=(0.0, 0.0), part=PART, at=(0.05, 0.0, 0.1, 0.0))
+    fetch = partial(jobs.fetch, plan=PLAN, gripper=cell.gripper)
+    assert cell.loop.run(fetch, Limits()).kind is Kind.DONE
+    cell.world.holding = False  # it slips out; the jaws stay closed
+    run = partial(
+        jobs.held_episode, plan=PLAN, sensor=cell.sensor, gripper=cell.gripper, policy=Walk(*HOME)
+    )
+    outcome = cell.loop.run(run, Limits())
+    assert outcome.kind is Kind.FAULT
+    assert "part lost" in outcome.reason
+    assert outcome.cycles <= 5
+    assert cell.world.stage[2] > PART.z
+
+
 def test_after_danger_the_arm_leaves_under_a_wider_bound(make_cell):
     cell = make_cell(at=(0.0, 0.0, 0.01, 0.0))
     cell.world.extra = (2.0, 0.0, 0.0, 0.0, 0.0, 0.0)

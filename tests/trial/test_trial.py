@@ -4,12 +4,11 @@ import numpy as np
 import pytest
 
 from hil.monitors.errors import MonitorError
-from hil.monitors.monitor import Monitor
 from hil.trial.always import monitors
-from hil.trial.signals import NAMES, SCALES
+from hil.trial.signals import NAMES
 from hil.trial.trace import Trace
 from hil.trial.trial import run_trial
-from hil.trial.verdict import Verdict, judge
+from hil.trial.verdict import Judge, Verdict, judge
 from hil_fixtures.testbed import shipped
 
 
@@ -119,8 +118,19 @@ def test_a_formula_over_a_signal_that_is_not_there_names_the_nearest(sound):
         sound.trace.robustness("sped <= 1")
 
 
-def test_live_and_offline_verdicts_of_a_run_are_the_same(rig, sound):
-    for one in monitors(rig):
-        live = Monitor(one.formula, SCALES)
-        worst = min(live.step(row).robustness for row in sound.trace.rows())
-        assert worst == sound.robustness[one.name]
+def test_monitors_in_the_loop_say_what_they_say_of_the_recorded_run(rig, sound):
+    again = judge(sound.trace, monitors(rig))
+    assert again.robustness == sound.robustness
+    assert again.violations == sound.violations
+
+
+def test_a_monitor_in_the_loop_knows_of_a_violation_in_the_period_in_which_it_falls(rig, calm):
+    broken = _changed(calm, measured_force=(100, 102, 1.2), step=(150, 151, 0.02))
+    live, known = Judge(monitors(rig)), []
+    for row, phase in zip(broken.rows(), broken.phases, strict=True):
+        live.step(row, phase)
+        known.append({violation.monitor for violation in live.judgement.violations})
+    assert not known[100]
+    assert known[101] == {"F1"}
+    assert {"F1", "step"} <= known[150]
+    assert live.judgement == judge(broken, monitors(rig))

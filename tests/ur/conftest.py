@@ -35,6 +35,8 @@ class TinyRobot:
         self.silent = False
         self.extra = b""  # sent before each data package
         self.after = lambda: b""  # what is sent after it
+        self.turns_away = 0  # how many RTDE clients it closes the door on
+        self.clients = 0
         self.refusals = 0  # how often `unlock protective stop` is refused
         self.commands, self.scripts, self.dashboard_lines = [], [], []
 
@@ -168,6 +170,10 @@ class Served:
 
     def _accept(self, door, listener):
         client, _ = listener.accept()
+        self.robot.clients += door == "rtde"
+        if door == "rtde" and self.robot.clients <= self.robot.turns_away:
+            client.close()
+            return
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._clients[client] = door
         state = Cutter() if door == "rtde" else [b""]

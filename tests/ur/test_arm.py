@@ -375,6 +375,23 @@ def test_a_refused_port_is_one_line_with_the_address(served):
     assert "\n" not in str(caught.value)
 
 
+def test_an_arm_that_turns_clients_away_is_asked_again(arm, robot):
+    robot.turns_away = 2
+    arm.connect()
+    assert robot.clients == 3
+    assert arm.read().program_running
+
+
+def test_an_arm_that_goes_on_turning_clients_away_is_given_up(served, robot):
+    robot.turns_away = 10
+    arm = UrArm("127.0.0.1", served.ports, tries=2)
+    with pytest.raises(LinkError, match=r"cut|closed") as caught:
+        arm.connect()
+    assert caught.value.__notes__ == ["2 attempts"]
+    assert robot.clients == 2
+    assert not robot.commands
+
+
 def test_a_cut_link_is_a_link_error(connected, served):
     served.cut()
     with pytest.raises(LinkError, match=r"cut|closed"):

@@ -22,12 +22,18 @@ class Limits(Section):
     sample_age: Seconds = Field(default=10e-3, gt=0)
     """W: the newest sample's age that is still controlled on. Ten samples; by then a descent at
     4 mm/s has gone 0.04 mm, 0.8 N at the pad's 20 kN/m."""
+    following: Length = Field(default=0.05, gt=0)
+    """How far the arm may be from the last set-point: three times its lag at the fastest travel,
+    0.15 m/s and 0.1 s. A slowed or hindered arm is stopped before it has more to catch up with."""
     command_age: Seconds = Field(default=0.1, ge=0.02, le=2)
     """X: age of a command's ground at which the robot stops by itself, and the near side when it
     hears so. Several times the round trip of any network that can be controlled over."""
     standstill: Seconds = Field(default=0.5, gt=0)
     """N, as time: from a fault that has to stop the arm until it stands. X, a stop at 4 rad/s^2
     from the fastest travel (0.1 s) and the arm's own lag (50 ms), twice."""
+    connect_tries: int = Field(default=3, ge=1, le=20)
+    """Attempts at an RTDE link that is refused or cut at the start, 0.1 s apart, then 0.2 s and so
+    on. Three bridge a controller whose server just comes up; more would hide a wrong address."""
     force_error: float = Field(default=0.25, ge=0)
     """How far the sensor may be off, as a share of force_bound: noise of the mean, drift since the
     last zero and travel time of a sample at search speed. What the true force is judged with."""
