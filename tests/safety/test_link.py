@@ -38,10 +38,10 @@ def catching_up(patch):
         waiting = self.__dict__.setdefault("waiting", [])
         while not waiting:
             waiting += [p for p in self._receive()[0] if p.type == PackageType.DATA]
-        self.received = waiting.pop(0).payload
-        return self._unpack(self._agreed(), self.received)
+        self.received = [waiting.pop(0).payload]
+        return [self._unpack(self._agreed(), self.received[0])]
 
-    patch.setattr(RtdeConnection, "read_newest", oldest)
+    patch.setattr(RtdeConnection, "read", oldest)
 
 
 def test_after_a_spike_only_the_newest_state_is_answered(law):
