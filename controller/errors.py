@@ -23,6 +23,10 @@ class PartLostError(ControlError):
     """The jaws no longer feel the part that they were to hold."""
 
 
+class DriftError(ControlError):
+    """The sensor reads a force in free air that a zeroing would hide."""
+
+
 class GuardTrip(ControlError):  # noqa: N818  the event's name in the field
     """A limit was passed; what was measured and what is allowed, in the SI unit of the quantity."""
 

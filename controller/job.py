@@ -37,7 +37,7 @@ def episode(course: Course, plan: Plan, sensor: ForceTorqueSensor, policy: Polic
     course.steps = 0
     yield from approach(course, plan.start, plan.travel)
     if plan.tare_samples:
-        yield from tare(course, sensor, plan.tare_samples)
+        yield from tare(course, sensor, plan.tare_samples, plan.drift)
     return (yield from find_and_insert(course, plan, policy))
 
 

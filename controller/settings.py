@@ -127,3 +127,5 @@ class Plan:
     grip: Grip = field(default_factory=Grip)
     tare_samples: int = 250
     """Samples of the zeroing before each contact; 0 keeps the tare of the start."""
+    drift: float = 5.0
+    """Largest force in free air that such a zeroing takes away, N."""

@@ -126,6 +126,7 @@ def plan(rig: Rig, part: Part, cells: tuple[int, int, int]) -> Plan:
         press=Press(force=task.contact_force),
         search=Search(task.step, task.step_rotation, task.max_steps, task.search_cells),
         insertion=Insertion(goal_depth=task.goal_depth, jam=Jam(task.on_jam)),
+        drift=rig.limits.drift,
     )
 
 

@@ -165,6 +165,16 @@ def test_an_episode_whose_part_is_lost_ends_before_it_touches_anything(make_cell
     assert cell.world.stage[2] > PART.z
 
 
+@pytest.mark.parametrize(("bias", "kind"), [(4.5, Kind.INSERTED), (5.5, Kind.FAULT)])
+def test_a_force_in_free_air_is_zeroed_away_up_to_a_limit_only(make_cell, bias, kind):
+    cell = make_cell(slot=(0.0, 0.0), part=PART, at=(0.05, 0.0, 0.1, 0.0))
+    cell.world.extra = (0.0, 0.0, -bias, 0.0, 0.0, 0.0)
+    job = partial(jobs.episode, plan=PLAN, sensor=cell.sensor, policy=Walk(*HOME))
+    outcome = cell.loop.run(job, Limits())
+    assert outcome.kind is kind, outcome.reason
+    assert ("N in free air before zeroing" in outcome.reason) == (kind is Kind.FAULT)
+
+
 def test_after_danger_the_arm_leaves_under_a_wider_bound(make_cell):
     cell = make_cell(at=(0.0, 0.0, 0.01, 0.0))
     cell.world.extra = (2.0, 0.0, 0.0, 0.0, 0.0, 0.0)

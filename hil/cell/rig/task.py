@@ -22,6 +22,9 @@ class Limits(Section):
     sample_age: Seconds = Field(default=10e-3, gt=0)
     """W: the newest sample's age that is still controlled on. Ten samples; by then a descent at
     4 mm/s has gone 0.04 mm, 0.8 N at the pad's 20 kN/m."""
+    drift: Newtons = Field(default=5.0, gt=0)
+    """Largest force in free air that a zeroing before a contact takes away. Half the bound along z,
+    which is as far as a sound sensor with a part in the jaws never comes."""
     following: Length = Field(default=0.05, gt=0)
     """How far the arm may be from the last set-point: three times its lag at the fastest travel,
     0.15 m/s and 0.1 s. A slowed or hindered arm is stopped before it has more to catch up with."""
