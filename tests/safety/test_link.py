@@ -1,4 +1,4 @@
-"""T2 to T12: what the near side, and the program that it put on the robot, do about the link."""
+"""T3 to T12: what the near side, and the program that it put on the robot, do about the link."""
 
 import re
 from functools import partial
@@ -6,8 +6,7 @@ from functools import partial
 import pytest
 
 import drivers.ur.rtde_client as rtde_client
-from drivers.protocol.rtde import Cutter, Package, PackageType
-from drivers.ur.connection import RtdeConnection
+from drivers.protocol.rtde import Cutter, Package
 from drivers.ur.program import ServoProgram
 from hil.trial.verdict import Verdict
 
@@ -29,27 +28,6 @@ def watchdog(patch):
 def ended(trial):
     """The robot's program has stopped the arm by itself."""
     return any("no fresh command" in text for _, text in trial.log)
-
-
-def catching_up(patch):
-    """Every package is answered, and not only the newest of those that have come."""
-
-    def oldest(self):
-        waiting = self.__dict__.setdefault("waiting", [])
-        while not waiting:
-            waiting += [p for p in self._receive()[0] if p.type == PackageType.DATA]
-        self.received = [waiting.pop(0).payload]
-        return [self._unpack(self._agreed(), self.received[0])]
-
-    patch.setattr(RtdeConnection, "read", oldest)
-
-
-def test_after_a_spike_only_the_newest_state_is_answered(law):
-    def up_to_date(trial):
-        running = trial.trace["command_age"][trial.trace["running"] > 0.5]
-        return running.max() > 0.03 and running[-1] < 0.02
-
-    law.holds(up_to_date, catching_up, "T2", {"size": 0.04})
 
 
 @pytest.mark.parametrize("direction", ["from_cell", SLOW("to_cell"), SLOW("both")])
