@@ -1,7 +1,7 @@
 """What a learner is: one class that acts, observes, and can be saved and loaded."""
 
 from collections.abc import Mapping
-from typing import NamedTuple, Protocol, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,3 +56,10 @@ class Learner(Protocol):
     def load(self, state: State) -> None:
         """Take up a saved state; raises CheckpointError for one of another kind or shape."""
         ...
+
+
+@runtime_checkable
+class Checked(Protocol):
+    """A learner that asks a server, and counts the answers that it would not learn from."""
+
+    refused: int

@@ -1,7 +1,7 @@
 """Faults of the near side's own process: its loop, clock, life and disk."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from contextlib import AbstractContextManager
 from math import hypot
 from typing import Final
@@ -39,6 +39,8 @@ class HostFaultError(CellError):
 class HostFaults(AbstractContextManager["HostFaults"]):
     """Told of each cycle before its command; carries out H1 to H3, and asks the cell to go on
     meanwhile. In lockstep a pause is bench time; by the wall clock it is a sleep.
+
+    episode: of a training, from 1.
     """
 
     def __init__(self, faults: Numbered, seed: int, period: int, clock: str) -> None:
@@ -48,6 +50,7 @@ class HostFaults(AbstractContextManager["HostFaults"]):
         self._now = 0
         self._cell: RunningCell | None = None
         self._told = 0
+        self.episode = 1
 
     def __exit__(self, *_: object) -> None:
         time.time = self._sound_clock
@@ -70,8 +73,8 @@ class HostFaults(AbstractContextManager["HostFaults"]):
     def attend(self, cycle: Cycle, course: Course, cell: RunningCell, arm: UrArm) -> None:
         """One cycle, before its command. Raises HostFaultError for H3."""
         self._cell, self._now = cell, cycle.t
-        cell.note(course.name, 1)
-        self._injector.look(_seen(cycle, course, self._period))
+        cell.note(course.name, self.episode)
+        self._injector.look(self._seen(cycle, course))
         for one in self.of("H1"):
             self.absent(round(one.fault.number("pause") * NS))
             one.done(cycle.t, "the loop pauses")
@@ -113,18 +116,18 @@ class HostFaults(AbstractContextManager["HostFaults"]):
                 time.time = _bent(self._sound_clock, one)
                 one.felt(t, f"clock off by {time.time() - self._sound_clock():.6g} s")
 
+    def _seen(self, cycle: Cycle, course: Course) -> Situation:
+        """The situation as this side knows it: what was measured."""
+        force = hypot(*cycle.wrench[:3])
+        safety = SafetyMode(cycle.state.safety_mode).name.lower()
+        number, touches = cycle.t // self._period, force > TOUCH
+        return Situation(cycle.t, number, course.name, self.episode, touches, force, safety)
+
 
 def _bent(sound: Callable[[], float], one: Running) -> Callable[[], float]:
     begin, jump = sound(), one.fault.number("jump")
     rate = 1.0 + one.fault.number("skew") * 1e-6
     return lambda: begin + jump + rate * (sound() - begin)
-
-
-def _seen(cycle: Cycle, course: Course, period: int) -> Situation:
-    """The situation as this side knows it: what was measured."""
-    force = hypot(*cycle.wrench[:3])
-    safety = SafetyMode(cycle.state.safety_mode).name.lower()
-    return Situation(cycle.t, cycle.t // period, course.name, 1, force > TOUCH, force, safety)
 
 
 class FullDisk:
@@ -144,9 +147,16 @@ class FullDisk:
         self._sound.settle(t)
 
 
-def split(faults: Numbered, rig: Rig, *, recorded: bool) -> tuple[Numbered, Numbered]:
+def split(
+    faults: Numbered,
+    rig: Rig,
+    *,
+    recorded: bool,
+    places: Collection[Place] = OF_A_RUN,
+    episodes: int = 1,
+) -> tuple[Numbered, Numbered]:
     """The cell's faults and this side's; FaultError for one that this run has no place for."""
-    check(faults, rig, OF_A_RUN)
+    check(faults, rig, places, episodes)
     for index, fault in faults:
         if fault.kind == "H4" and not recorded:
             raise FaultError(f"faults[{index}]: H4 host.disk: this run writes no recording")

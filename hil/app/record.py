@@ -1,6 +1,7 @@
 """What a run records, and when: near-side records of each cycle, far-side ones as they come."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from importlib.resources import files
 from typing import Protocol
 
@@ -18,6 +19,7 @@ from hil.recording.channel import Channel
 from hil.recording.channels import control, deadline, event, wrench
 from hil.recording.channels.event import EventKind
 from hil.recording.channels.rtde import RecipeNames
+from hil.recording.errors import RecordingError
 from hil.recording.identity import Identity
 
 
@@ -50,11 +52,43 @@ class Sink(Protocol):
     def settle(self, t: int) -> None: ...
 
 
+class Lossy:
+    """A sink whose failures the control loop never feels: what could not be taken is counted."""
+
+    def __init__(self, sink: Sink) -> None:
+        self._sink = sink
+        self._lost = 0
+        self._since = 0
+
+    def put(self, channel: Channel, t: int, payload: bytes) -> None:
+        try:
+            self._sink.put(channel, t, payload)
+        except RecordingError:
+            self._since = self._since if self._lost else t
+            self._lost += 1
+
+    def settle(self, t: int) -> None:
+        self._sink.settle(t)
+
+    def mark(self, t: int) -> None:
+        """Record at t, ns, what is missing, if anything is and there is room again."""
+        if not self._lost:
+            return
+        line = f"gap: {self._lost} records from {self._since * 1e-9:.3f} s on could not be written"
+        with suppress(RecordingError):
+            self._sink.put(Channel.EVENT, t, event.encode(EventKind.NOTE, line))
+            self._lost = 0
+
+
 class RunRecord:
-    """Feeds one recorder from both sides of the wire, all in the loop's thread."""
+    """Feeds one recorder from both sides of the wire, all in the loop's thread.
+
+    A recorder that fails leaves a gap, which is marked as soon as it works again; control goes on.
+    """
 
     def __init__(self, recorder: Sink, cell: RunningCell, frame: TaskFrame, period: int) -> None:
-        self._recorder, self._cell, self._frame, self._period = recorder, cell, frame, period
+        self._recorder = Lossy(recorder)
+        self._cell, self._frame, self._period = cell, frame, period
         self._pending: list[tuple[Cycle, Place, str, int]] = []
         self._t: int | None = None
         self._misses = 0
@@ -74,6 +108,7 @@ class RunRecord:
         for cycle, setpoint, phase, step in self._pending:
             self._pack(cycle, setpoint, phase, step)
         self._pending.clear()
+        self._recorder.mark(self._t or 0)
         if self._cell.live and self._t is not None:
             self.far()
             self._recorder.settle(self._t)

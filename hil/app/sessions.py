@@ -6,7 +6,7 @@ the seed alone. So a training that was killed goes on from its last session to t
 that never was. A real cell keeps its part in the jaws: there a session is all of a part's episodes.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from hashlib import sha256
@@ -14,12 +14,19 @@ from math import cos, sin
 from pathlib import Path
 
 import numpy as np
+from orjson import dumps
 
 from controller.outcome import Kind
 from hil.app.cell import RunningCell
+from hil.app.faulty import events
+from hil.app.host_faults import HostFaults, split
 from hil.app.inline import InlineCell
 from hil.app.real import RealCell
-from hil.app.train import EpisodeResult, Schedule, Watch, connected
+from hil.app.train import EpisodeResult, NearFaults, Schedule, Watch, connected
+from hil.cell.faults.log import FaultEvent
+from hil.cell.faults.schedule import Numbered
+from hil.cell.faults.schedule import Schedule as Faults
+from hil.cell.injection.places import OF_A_RUN, OF_A_TRAINING
 from hil.cell.rig import Rig, drawn
 from hil.cell.rig.parts import Part
 from hil.cell.streams import stream
@@ -34,9 +41,19 @@ from learner.interface import Learner, State
 KINDS = (Kind.INSERTED, Kind.DANGER, Kind.LIMIT)
 
 
+Tell = Callable[[Sequence[FaultEvent]], None]
+"""Hears at the end of a session what became of its faults."""
+
+
+def silent(_: Sequence[FaultEvent]) -> None:
+    """Nobody hears."""
+
+
 @dataclass(frozen=True, slots=True)
 class Training:
-    """What is trained. every: episodes of a session. text: the rig file's bytes."""
+    """What is trained. every: episodes of a session. text: the rig file's bytes. faults: armed in
+    each session anew, for each is a cell of its own; None is a sound training.
+    """
 
     rig: Rig
     text: bytes
@@ -44,6 +61,7 @@ class Training:
     seed: int
     schedule: Schedule
     every: int = 8
+    faults: Faults | None = None
 
     @property
     def grid(self) -> Grid:
@@ -55,7 +73,8 @@ class Training:
     def settings(self) -> dict[str, str]:
         """Everything besides learner, rig name and seed that a continuation must share."""
         parts = ",".join(f"{name}:{count}" for name, count in self.schedule.parts)
-        return {
+        broken = {} if self.faults is None else {"faults": dumps(self.faults.written()).decode()}
+        return broken | {
             "rig": sha256(self.text).hexdigest(),
             "parts": parts,
             "every": str(self.every),
@@ -83,14 +102,15 @@ class Training:
         return self.schedule.episodes if self.real else len(self.sessions)
 
 
-def train(training: Training, path: Path, watch: Watch, *, resume: bool) -> Iterator[EpisodeResult]:
+def train(
+    training: Training, path: Path, watch: Watch, *, resume: bool, tell: Tell = silent
+) -> Iterator[EpisodeResult]:
     """Every episode that is still to be done, `path` written after each session.
 
-    Raises CheckpointError for a file of another training, CellError, DriverError.
+    Raises CheckpointError for a file of another training, FaultError for a fault that it has no
+    place for, CellError, DriverError.
     """
-    learner = maker(training.learner)(
-        training.grid, training.rig.task.max_steps, stream(training.seed, "learner")
-    )
+    learner = learner_of(training)
     results = taken_up(training, path, learner) if resume and path.exists() else []
     end = 0
     for index, (part, count) in enumerate(training.sessions):
@@ -100,7 +120,7 @@ def train(training: Training, path: Path, watch: Watch, *, resume: bool) -> Iter
             continue
         if left < count or (index > 0 and training.sessions[index - 1][0] != part):
             learner.grip_changed()
-        for result in _session(training, learner, index, left, watch):
+        for result in _session(training, learner, index, left, watch, tell):
             results.append(replace(result, number=len(results) + 1))
             if training.real:
                 checkpoint.write(path, _kept(training, learner, results))
@@ -109,23 +129,61 @@ def train(training: Training, path: Path, watch: Watch, *, resume: bool) -> Iter
             checkpoint.write(path, _kept(training, learner, results))
 
 
-def _session(
-    training: Training, learner: Learner, index: int, count: int, watch: Watch
+def learner_of(training: Training) -> Learner:
+    """As it is before its first episode."""
+    return maker(training.learner)(
+        training.grid, training.rig.task.max_steps, stream(training.seed, "learner")
+    )
+
+
+def _session(  # noqa: PLR0917  those of `train`, and which
+    training: Training, learner: Learner, index: int, count: int, watch: Watch, tell: Tell
 ) -> Iterator[EpisodeResult]:
     """The last `count` episodes of a session."""
     part, _ = training.sessions[index]
     with ExitStack() as stack:
-        cell = stack.enter_context(_cell(training, index))
-        trainer = connected(training.rig, cell, stack, watch, None)
+        cell, near = _broken(training, learner, index, stack, tell)
+        trainer = connected(training.rig, cell, stack, watch, None, near)
         yield from trainer.run(learner, Schedule(((part, count),)), training.seed)
 
 
-def _cell(training: Training, index: int) -> RunningCell:
-    rig, seed = training.rig, training.seed
-    if training.real:
-        return RealCell(rig, "wall")
-    its_own = int(stream(seed, f"session.{index}").integers(1 << 31))
-    return InlineCell(as_met(rig, seed), its_own, "lockstep", record=False)
+def _broken(
+    training: Training, learner: Learner, index: int, stack: ExitStack, tell: Tell
+) -> tuple[RunningCell, NearFaults | None]:
+    """The session's cell and what is broken on this side; `tell` hears of it when all is over."""
+    rig, its_own = training.rig, seed_of(training.seed, index)
+    if training.real and training.faults is None:
+        return stack.enter_context(RealCell(rig, "wall")), None
+    met = as_met(rig, training.seed)
+    if training.faults is None:
+        return stack.enter_context(InlineCell(met, its_own, "lockstep", record=False)), None
+    from hil.app.agent_faults import pieces  # noqa: PLC0415  compiles a learner's rules
+
+    first = 1 + sum(count for _, count in training.sessions[:index])
+    far, near = faults_of(training, learner)
+    host = stack.enter_context(HostFaults(near, its_own, rig.robot.period, "lockstep"))
+    opened = InlineCell(met, its_own, "lockstep", record=False, faults=far)
+    stack.callback(lambda: tell(sorted(events(opened.served) + host.events, key=_moment)))
+    return stack.enter_context(opened), NearFaults(host, pieces(learner, host), first)
+
+
+def faults_of(training: Training, learner: Learner) -> tuple[Numbered, Numbered]:
+    """The cell's faults of a training and this side's; FaultError for one without a place."""
+    from learner.parallel.wdql import ParallelLearner  # noqa: PLC0415  compiles its rules
+
+    assert training.faults is not None, "a sound training has none"
+    places = OF_A_TRAINING if isinstance(learner, ParallelLearner) else OF_A_RUN
+    faults, episodes = training.faults.numbered(training.seed), training.schedule.episodes
+    return split(faults, training.rig, recorded=False, places=places, episodes=episodes)
+
+
+def seed_of(seed: int, index: int) -> int:
+    """A session's own."""
+    return int(stream(seed, f"session.{index}").integers(1 << 31))
+
+
+def _moment(event: FaultEvent) -> int:
+    return event.t
 
 
 def as_met(rig: Rig, seed: int) -> Rig:
@@ -171,10 +229,11 @@ def taken_up(training: Training, path: Path, learner: Learner) -> list[EpisodeRe
     found = checkpoint.read(path)
     mine = {"learner": training.learner, "seed": training.seed, **training.settings}
     theirs = {"learner": found.learner, "seed": found.seed, **found.settings}
-    for name, value in mine.items():
-        if theirs.get(name) != value:
+    for name in mine | theirs:
+        if theirs.get(name) != mine.get(name):
             raise CheckpointError(
-                f"{path}: of another training: its {name} is {theirs.get(name)}, this one's {value}"
+                f"{path}: of another training: its {name} is {theirs.get(name)}, "
+                f"this one's {mine.get(name)}"
             )
     learner.load(part_of(found.state, "learner", path))
     return episodes_of(found, path)

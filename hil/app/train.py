@@ -20,12 +20,14 @@ from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
 from hil.app.cell import RunningCell
+from hil.app.host_faults import HostFaults
+from hil.app.learner_faults import FaultyPolicy, Pieces
 from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
 from hil.app.record import RunRecord
 from hil.cell.errors import CellError
 from hil.cell.rig import Rig
 from learner.episode import ENDINGS, Episode
-from learner.interface import Learner
+from learner.interface import Checked, Learner
 
 TRIES = 3
 """Attempts at gripping a part, and at an episode that a fault of the cell cut short."""
@@ -46,7 +48,10 @@ class Schedule:
 
 @dataclass(frozen=True, slots=True)
 class EpisodeResult:
-    """One episode: its number from 1 and part, how it ended, search steps, bench seconds."""
+    """One episode: its number from 1 and part, how it ended, search steps, bench seconds.
+
+    refused: evaluations in it that the learner would not learn from, as they were not its model's.
+    """
 
     number: int
     part: str
@@ -54,6 +59,19 @@ class EpisodeResult:
     reason: str
     steps: int
     seconds: float
+    refused: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class NearFaults:
+    """What is broken on this side: the host's process, and pieces of the learner if it has any.
+
+    first: number of the first episode.
+    """
+
+    host: HostFaults
+    pieces: Pieces | None
+    first: int = 1
 
 
 class Attempt(NamedTuple):
@@ -67,9 +85,16 @@ class Attempt(NamedTuple):
 class Trainer:
     """Drives jobs one after the other on a connected near side; `observe` goes into the loop."""
 
-    def __init__(
-        self, rig: Rig, near: NearSide, cell: RunningCell, watch: Watch, record: RunRecord | None
+    def __init__(  # noqa: PLR0917  those of `connected`
+        self,
+        rig: Rig,
+        near: NearSide,
+        cell: RunningCell,
+        watch: Watch,
+        record: RunRecord | None,
+        faults: NearFaults | None,
     ) -> None:
+        self._faults = faults
         self._rig, self._near, self._cell = rig, near, cell
         self._watch, self._record = watch, record
         self._limits = limits(rig)
@@ -111,13 +136,27 @@ class Trainer:
     def _episode(self, learner: Learner, plan: Plan, number: int, part: str) -> EpisodeResult:
         for _ in range(TRIES):
             policy = Episode(learner)
-            outcome, seen, seconds = self.attempt(plan, part, policy)
+            refused, chosen = _refused(learner), self._broken(policy, number)
+            outcome, seen, seconds = self.attempt(plan, part, chosen)
             policy.end(seen, outcome.kind)
             if outcome.kind in ENDINGS:
                 return EpisodeResult(
-                    number, part, outcome.kind, outcome.reason, policy.steps, seconds
+                    number,
+                    part,
+                    outcome.kind,
+                    outcome.reason,
+                    policy.steps,
+                    seconds,
+                    _refused(learner) - refused,
                 )
         raise CellError(f"episode {number}: {outcome.kind.value} {TRIES} times: {outcome.reason}")
+
+    def _broken(self, policy: Policy, number: int) -> Policy:
+        """The policy as this episode's faults leave it."""
+        if self._faults is None:
+            return policy
+        self._faults.host.episode = self._faults.first + number - 1
+        return FaultyPolicy(policy, self._faults.host, self._faults.pieces)
 
     def _insist(
         self, job: Callable[[Course], Phase[Ending]], part: str, *, relaxed: bool = False
@@ -139,6 +178,8 @@ class Trainer:
         try:
             setpoint = next(phase)
             while True:
+                if self._faults is not None:
+                    self._faults.host.attend(course.cycle, course, self._cell, self._near.arm)
                 self._watch(course.cycle, course, self._cell)
                 setpoint = phase.send((yield setpoint))
         except StopIteration as end:
@@ -155,11 +196,21 @@ class Trainer:
         return self.last.t if self.last is not None else 0
 
 
-def connected(
-    rig: Rig, cell: RunningCell, stack: ExitStack, watch: Watch, record: RunRecord | None
+def _refused(learner: Learner) -> int:
+    """Evaluations that it would not learn from so far; 0 of one that asks nobody."""
+    return learner.refused if isinstance(learner, Checked) else 0
+
+
+def connected(  # noqa: PLR0917  faults are the seldom last
+    rig: Rig,
+    cell: RunningCell,
+    stack: ExitStack,
+    watch: Watch,
+    record: RunRecord | None,
+    faults: NearFaults | None = None,
 ) -> Trainer:
     """A trainer on a cell that is up, its drivers connected and closed with the stack."""
     tap = record.rtde if record else None
     near = stack.enter_context(near_side(rig, cell.doors, tap))
     bring_up(near.arm, near.sensor)
-    return Trainer(rig, near, cell, watch, record)
+    return Trainer(rig, near, cell, watch, record, faults)

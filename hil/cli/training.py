@@ -5,12 +5,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from hil.cli.cell import DryRun
+from hil.cli.cell import DryRun, FaultsOption
+from hil.cli.errors import FAILED
 from hil.cli.options import Json, Overwrite, RigName, Seed
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from hil.app.sessions import Training
     from hil.app.train import EpisodeResult
+    from hil.cell.faults.log import FaultEvent
 
 PolicyFile = Annotated[Path, typer.Argument(metavar="FILE", help="A checkpoint of `hil train`.")]
 
@@ -33,17 +37,21 @@ def train(
     ] = False,
     overwrite: Overwrite = False,
     dry_run: DryRun = False,
+    faults: FaultsOption = None,
     json: Json = False,
 ) -> int:
     """Train a learner on a rig, emulated or real, and keep it; the checkpoint's SHA-256 is last.
 
     Killed in the middle, the same command with --resume ends in the same checkpoint, to the bit.
+    Faults are armed anew in each session of --every episodes; one never active is exit status 1.
     """
     from hil.app.sessions import train as conduct  # noqa: PLC0415
     from hil.view.tables import as_json, of_facts  # noqa: PLC0415
     from learner.checkpoint import read as load  # noqa: PLC0415
 
     training = _asked(rig, learner, seed, (episodes, verify), every)
+    if faults is not None:
+        training = _under(training, faults)
     intent = _intent(training, out)
     if dry_run:
         typer.echo(as_json(intent) if json else of_facts(intent), nl=False)
@@ -51,12 +59,20 @@ def train(
     if training.real and not json:
         typer.echo(of_facts(intent), nl=False)
     _room(out, resume=resume, overwrite=overwrite)
-    results = []
-    for result in conduct(training, out, lambda *_: None, resume=resume):
+    results: list[EpisodeResult] = []
+    told: list[FaultEvent] = []
+
+    def tell(events: "Sequence[FaultEvent]") -> None:
+        told.extend(events)
+        if not json:
+            typer.echo("".join(f"{event.t * 1e-9:9.3f} s  {event}\n" for event in events), nl=False)
+
+    for result in conduct(training, out, lambda *_: None, resume=resume, tell=tell):
         results.append(result)
         if not json:
             typer.echo(_line(result))
-    return _finish(out, load(out).episodes, results, json=json)
+    _finish(out, load(out).episodes, results, told, json=json)
+    return _proven(told)
 
 
 def show(
@@ -111,6 +127,32 @@ def _asked(
     )
 
 
+def _under(training: "Training", file: Path) -> "Training":
+    """The training with the faults in a file; FaultError for one that it has no place for."""
+    from dataclasses import replace  # noqa: PLC0415
+
+    from hil.app.sessions import faults_of, learner_of  # noqa: PLC0415
+    from hil.cell.errors import FaultError  # noqa: PLC0415
+    from hil.cell.faults.parse import load  # noqa: PLC0415
+
+    broken = replace(training, faults=load(file))
+    try:
+        faults_of(broken, learner_of(broken))
+    except FaultError as error:
+        raise FaultError(f"{file}: {error}") from None
+    return broken
+
+
+def _proven(told: "list[FaultEvent]") -> int:
+    """Exit status: a fault that was armed and never active in any session proves nothing."""
+    from hil.cell.faults.log import idle  # noqa: PLC0415
+
+    if unfelt := idle(tuple(told)):
+        kinds = ", ".join(kind for _, kind in unfelt)
+        typer.echo(f"hil: vacuous: {kinds} armed but never active; nothing is proven", err=True)
+    return FAILED if unfelt else 0
+
+
 def _intent(training: "Training", out: Path) -> dict[str, str | int | float | None]:
     """What would be connected and done."""
     from hil.cli.options import Clock, Layout, PolicyName  # noqa: PLC0415
@@ -143,13 +185,21 @@ def _room(out: Path, *, resume: bool, overwrite: bool) -> None:
 
 
 def _line(result: "EpisodeResult") -> str:
+    flag = f"  refused evaluations: {result.refused}" if result.refused else ""
     return (
         f"{result.number:3d}  {result.part}  {result.kind.value:8s}  {result.steps:3d} steps  "
-        f"{result.seconds:5.1f} s"
+        f"{result.seconds:5.1f} s{flag}"
     )
 
 
-def _finish(out: Path, episodes: int, results: "list[EpisodeResult]", *, json: bool) -> int:
+def _finish(
+    out: Path,
+    episodes: int,
+    results: "list[EpisodeResult]",
+    told: "list[FaultEvent]",
+    *,
+    json: bool,
+) -> None:
     from hashlib import sha256  # noqa: PLC0415
 
     from hil.view.tables import as_json  # noqa: PLC0415
@@ -157,7 +207,8 @@ def _finish(out: Path, episodes: int, results: "list[EpisodeResult]", *, json: b
     digest = sha256(out.read_bytes()).hexdigest()
     if json:
         found = {"checkpoint": str(out), "episodes": episodes, "now": results, "sha256": digest}
+        if told:
+            found["faults"] = told
         typer.echo(as_json(found), nl=False)
     else:
         typer.echo(f"{out}, {episodes} episodes\nsha256 {digest}")
-    return 0

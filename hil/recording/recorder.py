@@ -39,6 +39,7 @@ class Recorder:
         self._pending: list[tuple[int, Channel, bytes]] = []
         self._settled = -1
         self._writer: subprocess.Popen[bytes] | None = None
+        self._failed = ""
 
     def open(self) -> None:
         """Make the folder and start the writer; RecordingError when it cannot be written to."""
@@ -50,7 +51,12 @@ class Recorder:
         self._send(self._identity)
 
     def put(self, channel: Channel, t: int, payload: bytes) -> None:
-        """Record one payload, made by the channel's `encode`, at bench time t, ns."""
+        """Record one payload, made by the channel's `encode`, at bench time t, ns.
+
+        RecordingError, from then on at every call, once the writer could not write.
+        """
+        if self._failed:
+            raise RecordingError(self._failed)
         if t < self._settled:
             raise ValueError(f"{channel.topic} at {t} ns, but {self._settled} ns was settled")
         self._pending.append((t, channel, payload))
@@ -63,6 +69,8 @@ class Recorder:
 
     def close(self) -> str:
         """Finish the file; its SHA-256. RecordingError when it could not be written."""
+        if self._failed:
+            raise RecordingError(self._failed)
         self._flush(last=True)
         report = self._join()
         if not report.digest:
@@ -101,8 +109,8 @@ class Recorder:
             pipe.write(pickle.dumps(item, pickle.HIGHEST_PROTOCOL))
             pipe.flush()
         except BrokenPipeError:
-            reason = self._join().error
-            raise RecordingError(f"{self._folder}: recording failed: {reason}") from None
+            self._failed = f"{self._folder}: recording failed: {self._join().error}"
+            raise RecordingError(self._failed) from None
 
     def _join(self) -> Report:
         """Close the pipe, wait for the writer and take its report."""

@@ -37,6 +37,11 @@ class Outcomes:
         """N_rel of Algorithm 1."""
         return int(self.counts[:, SUCCESS].sum())
 
+    @property
+    def total(self) -> int:
+        """How many were noted."""
+        return int(self.counts.sum())
+
     def save(self) -> State:
         return {"counts": self.counts.copy(), "last": self.last.copy()}
 

@@ -16,7 +16,7 @@ from learner.grid import Grid
 from learner.interface import State, Transition
 from learner.parallel.agents import Agents
 from learner.parallel.outcomes import FAIL, Classes, Outcomes
-from learner.parallel.server import Model, evaluate
+from learner.parallel.server import Model, Server
 from learner.surface import Array, best_q
 from learner.tabular.alone import Rows, best, learn_rows, rows
 from learner.tabular.rules import greedy
@@ -41,7 +41,11 @@ class Parallel:
 
 
 class ParallelLearner:
-    """The real robot's thread of Algorithm 1 with its pool, its server and its agents."""
+    """The real robot's thread of Algorithm 1 with its pool, its server and its agents.
+
+    refused: evaluations that were not learnt from, since another model had made them. restarts: of
+    the server, seen by its knowing of fewer outcomes than it had been told.
+    """
 
     def __init__(
         self,
@@ -53,9 +57,16 @@ class ParallelLearner:
         """start: cell at which simulated episodes begin, where the real ones do."""
         self.grid, self.settings = grid, settings
         self.pool = empty(grid.states, settings.agents, rng)
-        self.outcomes = Outcomes(grid.states)
+        self.server = Server(settings.model, grid)
         self.agents = Agents.at(start, settings.agents)
         self.classes: Classes = np.full(grid.states, FAIL, np.int8)
+        self.refused = self.restarts = self._told = 0
+        self._matches = True
+
+    @property
+    def outcomes(self) -> Outcomes:
+        """What the server knows of the real robot's poses."""
+        return self.server.outcomes
 
     def begin(self) -> None:
         """Nothing: agents and robot keep their own episodes."""
@@ -72,16 +83,17 @@ class ParallelLearner:
     def take_in(self, met: Rows) -> None:
         """One real step into the pool and the server."""
         learn_rows(self.pool, self.settings.tabular, met)
-        self.outcomes.note(met.after, met.ending)
+        self._tell(met)
         if met.ending is not None or self.settings.model is Model.LAST:
             self._evaluate()
 
     def simulate(self, rounds: int) -> bool:
-        """Let each agent take so many steps; False before the first real success.
+        """Let each agent take so many steps; False before the first real success, and as long as
+        the server judges by another model than this learner's.
 
         "if N_rel = 1" of Algorithm 1 is read as "from the first success on".
         """
-        if not self.outcomes.successes:
+        if not (self.outcomes.successes and self._matches):
             return False
         self.agents.run(self.pool, self.grid, self.classes, self.settings.tabular, rounds)
         return True
@@ -94,9 +106,24 @@ class ParallelLearner:
         """Largest Q of each pose, (x, y, theta)."""
         return best_q(self.pool, self.grid)
 
+    def _tell(self, met: Rows) -> None:
+        """The server hears of the step; one that has forgotten the others is a new one."""
+        if self.outcomes.total < self._told:
+            self.restarts += 1
+            self.classes[:] = FAIL
+        self.outcomes.note(met.after, met.ending)
+        self._told = self.outcomes.total
+
     def _evaluate(self) -> None:
-        if self.outcomes.successes:
-            self.classes = evaluate(self.settings.model, self.grid, self.outcomes)
+        """Take up the server's evaluation, unless it is of another model."""
+        answer = self.server.answer()
+        if answer is None:
+            return
+        self._matches = answer.model is self.settings.model
+        if self._matches:
+            self.classes = answer.classes
+        else:
+            self.refused += 1
 
     def grip_changed(self) -> None:
         """Nothing: the paper's tables point where they pointed."""
@@ -113,6 +140,7 @@ class ParallelLearner:
         """Take up a saved learner; CheckpointError for one of another kind or size."""
         take_up(self.pool, part(state, "pool"))
         self.outcomes.load(part(state, "outcomes"))
+        self._told = self.outcomes.total
         self.agents.load(part(state, "agents"))
         restore("classes", self.classes, state.get("classes"))
 

@@ -14,6 +14,8 @@ OF_THE_CELL: Final = frozenset(
 )
 OF_A_RUN: Final = OF_THE_CELL | {Place.HOST, Place.POLICY}
 """With the near side of an assembly, whose policy does not learn."""
+OF_A_TRAINING: Final = OF_A_RUN | {Place.AGENTS}
+"""With a parallel learner in the near side's process."""
 _WITH_JAWS: Final = ("mujoco", "analytic", "wall")
 _MUJOCO_ONLY: Final = ("P2", "P3", "P4")
 
