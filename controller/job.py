@@ -71,6 +71,7 @@ def leave(course: Course, plan: Plan) -> Phase[Ending]:
 
 
 def find_and_insert(course: Course, plan: Plan, policy: Policy) -> Phase[Ending]:
+    jams = 0
     while True:
         axis = ForceAxis(plan.press, course.period)
         touch = yield from contact(course, axis, plan)
@@ -81,6 +82,9 @@ def find_and_insert(course: Course, plan: Plan, policy: Policy) -> Phase[Ending]
             return ending
         # A jammed part stays jammed however often it is pushed: out, one step on, and down again.
         yield from draw_out(course, plan.insertion)
+        jams += 1
+        if jams > plan.insertion.jams:
+            return Ending(Kind.DANGER, f"stuck in the slot {jams} times")
         if course.steps >= plan.search.max_steps:
             return _limit(course, Found.LIMIT)
         if not (yield from take_step(course, None, policy, plan.search)):

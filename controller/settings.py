@@ -96,6 +96,9 @@ class Insertion:
     whole stall would null each step's force before the next one."""
     force_band: float = 0.4
     speed_band: float = 0.4e-3
+    jams: int = 20
+    """How often a part may be drawn out in one episode; once more is a danger: what is blocked
+    stays so however often it is pushed."""
     lift: float = 0.5e-3
     """Height above the face to which a stuck part is drawn out, m."""
     lift_speed: float = 5e-3

@@ -7,6 +7,8 @@ import numpy as np
 
 from hil.app.host_faults import HostFaults
 from hil.cell.faults.injector import Running
+from hil.cell.faults.row import Place
+from hil.cell.injection.places import OF_A_RUN, OF_A_TRAINING
 from learner.interface import Learner
 from learner.parallel.agents import Agents
 from learner.parallel.server import Model
@@ -31,6 +33,11 @@ class FaultyPieces:
 def pieces(learner: Learner, faults: HostFaults) -> FaultyPieces | None:
     """Of a parallel learner in this process; None of every other one."""
     return FaultyPieces(learner, faults) if isinstance(learner, ParallelLearner) else None
+
+
+def places(learner: Learner) -> frozenset[Place]:
+    """Where a run with this learner can fail."""
+    return OF_A_TRAINING if isinstance(learner, ParallelLearner) else OF_A_RUN
 
 
 def lose_agent(learner: ParallelLearner, one: Running, t: int) -> None:

@@ -125,7 +125,7 @@ def plan(rig: Rig, part: Part, cells: tuple[int, int, int]) -> Plan:
         travel=Travel(),
         press=Press(force=task.contact_force),
         search=Search(task.step, task.step_rotation, task.max_steps, task.search_cells),
-        insertion=Insertion(goal_depth=task.goal_depth, jam=Jam(task.on_jam)),
+        insertion=Insertion(goal_depth=task.goal_depth, jam=Jam(task.on_jam), jams=task.max_jams),
         drift=rig.limits.drift,
     )
 

@@ -26,7 +26,6 @@ from hil.app.train import EpisodeResult, NearFaults, Schedule, Watch, connected
 from hil.cell.faults.log import FaultEvent
 from hil.cell.faults.schedule import Numbered
 from hil.cell.faults.schedule import Schedule as Faults
-from hil.cell.injection.places import OF_A_RUN, OF_A_TRAINING
 from hil.cell.rig import Rig, drawn
 from hil.cell.rig.parts import Part
 from hil.cell.streams import stream
@@ -169,12 +168,12 @@ def _broken(
 
 def faults_of(training: Training, learner: Learner) -> tuple[Numbered, Numbered]:
     """The cell's faults of a training and this side's; FaultError for one without a place."""
-    from learner.parallel.wdql import ParallelLearner  # noqa: PLC0415  compiles its rules
+    from hil.app.agent_faults import places  # noqa: PLC0415  compiles a learner's rules
 
     assert training.faults is not None, "a sound training has none"
-    places = OF_A_TRAINING if isinstance(learner, ParallelLearner) else OF_A_RUN
     faults, episodes = training.faults.numbered(training.seed), training.schedule.episodes
-    return split(faults, training.rig, recorded=False, places=places, episodes=episodes)
+    where = places(learner)
+    return split(faults, training.rig, recorded=False, places=where, episodes=episodes)
 
 
 def seed_of(seed: int, index: int) -> int:

@@ -13,12 +13,14 @@ from controller.cycle import Cycle
 from controller.job import assembly
 from controller.loop import Loop
 from controller.outcome import Ending, Outcome
+from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
 from drivers.errors import DriverError
 from drivers.ur.arm import UrArm
 from drivers.ur.program import Command
 from hil.app.near import NearSide, limits, task_frame
+from hil.app.record import RunRecord
 from hil.cell.rig import Rig
 from hil.trial.sampler import Sampler
 
@@ -55,10 +57,14 @@ class Driver:
         """longest: ns of bench time after which a run counts as a hang."""
         self._rig, self._sampler, self._longest = rig, sampler, longest
         self.attend: Attend = unattended
+        self.record: RunRecord | None = None
+        self._course: Course | None = None
         self._began: int | None = None
 
     def heard(self, t: int, sent: bool, package: bytes) -> None:
         """A package that the arm's driver sent or read at arm time t, ns."""
+        if self.record is not None:
+            self.record.rtde(t, sent, package)
         if not sent:
             self._began = t if self._began is None else self._began
             if t - self._began > self._longest:
@@ -87,7 +93,7 @@ class Driver:
             self._sampler.running = False
 
     def _work(self, near: NearSide, plan: Plan, policy: Policy) -> Outcome:
-        loop = Loop(near.arm, near.sensor, task_frame(self._rig))
+        loop = Loop(near.arm, near.sensor, task_frame(self._rig), observe=self._observe)
         job = partial(assembly, plan=plan, sensor=near.sensor, gripper=near.gripper, policy=policy)
         return loop.run(
             lambda course: self._sampled(course, job(course), near.arm), limits(self._rig)
@@ -100,6 +106,7 @@ class Driver:
         the one period or the next as the threads happen to run.
         """
         self._sampler.episode, self._sampler.running = 1, True
+        self._course = course
         try:
             setpoint = next(job)
             while True:
@@ -110,6 +117,10 @@ class Driver:
             self._sampler.running = False
             ending: Ending = end.value
             return ending
+
+    def _observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
+        if self.record is not None and self._course is not None:
+            self.record.cycle(cycle, setpoint, self._course)
 
     def _leave(self, near: NearSide) -> None:
         self._longest = 1 << 62

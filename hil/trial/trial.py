@@ -8,18 +8,21 @@ from typing import Final
 
 from controller.action import Policy
 from controller.outcome import Outcome
+from controller.settings import Plan
 from drivers.errors import DriverError
 from drivers.interfaces import SensorHealth
 from hil.app.faulty import events
 from hil.app.host_faults import HostFaultError, HostFaults, split
 from hil.app.inline import InlineCell
-from hil.app.learner_faults import FaultyPolicy
+from hil.app.learner_faults import FaultyPolicy, Pieces
 from hil.app.near import near_side, part_named, start_plan
 from hil.app.policy import policy as named_policy
 from hil.cell.errors import CellError
 from hil.cell.faults.log import FaultEvent, idle
 from hil.cell.faults.schedule import Numbered, Schedule
+from hil.cell.injection.places import OF_A_RUN
 from hil.cell.rig import Rig
+from hil.trial.disk import recording
 from hil.trial.drive import Driven, Driver
 from hil.trial.figures import Figures, figures
 from hil.trial.fmea import load
@@ -27,12 +30,16 @@ from hil.trial.owed import Owed
 from hil.trial.sampler import Sampler
 from hil.trial.trace import Trace
 from hil.trial.verdict import Judgement, Verdict, Violation
+from learner.episode import Episode
+from learner.interface import Learner
 
 NS: Final = 1_000_000_000
 LONGEST: Final = 120.0
 """Bench seconds of a run; an insertion takes 10 to 60."""
 PATIENCE: Final = 15.0
 """Wall s of silence on a link that are no dead link: campaigns share their machine."""
+SCRIPTED: Final = ("pose", "spiral", "random", "oracle")
+"""Policies by name; every other name is a learner's."""
 AFTERMATH: Final = 1.0
 """Bench seconds that the cell goes on without its host: longer than any stop may take."""
 
@@ -85,23 +92,27 @@ def run_trial(
 ) -> Trial:
     """Serve the rig's cell in this process in lockstep, drive one assembly, judge it.
 
-    policy: a name as of `hil run`, or a policy of one's own. longest: bench s that are no hang.
-    Raises RigError and FaultError for what cannot be run at all, and nothing else.
+    policy: a name as of `hil run` or of a learner, or a policy of one's own. longest: bench s that
+    are no hang. Raises RigError, FaultError and UnknownLearnerError for what cannot be run at all,
+    and nothing else.
     """
     plan = start_plan(rig, part_named(rig, part or rig.first_part), seed)
+    learner = _learner(policy, rig, seed)
     driver = Driver(rig, sampler := Sampler(rig), round(longest * NS))
     with ExitStack() as stack:
-        far, host = _faults(rig, seed, schedule, stack)
+        far, host = _faults(rig, seed, schedule, learner, stack)
         opened = InlineCell(rig, seed, "lockstep", faults=far, observe=sampler.tick)
         cell = stack.enter_context(opened)
         sampler.bench = cell.served.bench
         with near_side(rig, cell.doors, driver.heard, PATIENCE) as near:
-            chosen = named_policy(policy, plan, seed, cell) if isinstance(policy, str) else policy
+            chosen = _chooser(policy, learner, plan, seed, cell)
             if host is not None and schedule is not None:
                 logs = partial(events, cell.served), lambda: host.events
                 sampler.faults = Owed(schedule.numbered(seed), load(), *logs)
                 driver.attend = lambda cycle, course, arm: host.attend(cycle, course, cell, arm)
-                chosen = FaultyPolicy(chosen, host)
+                chosen = FaultyPolicy(chosen, host, _pieces(learner, host))
+                if any(fault.kind == "H4" for fault in schedule.faults):
+                    driver.record = recording(rig, seed, cell, host, stack)
             driven = driver.run(near, plan, chosen)
             health = near.sensor.health
         died = _aftermath(cell, rig)
@@ -130,14 +141,45 @@ def run_trial(
     )
 
 
+def _learner(policy: "str | Policy", rig: Rig, seed: int) -> Learner | None:
+    """The learner of that name, None of a scripted policy or one of one's own."""
+    if not isinstance(policy, str) or policy in SCRIPTED:
+        return None
+    from hil.trial.learnt import learnt  # noqa: PLC0415  learners compile their rules
+
+    return learnt(policy, rig, seed)
+
+
+def _chooser(
+    policy: "str | Policy", learner: Learner | None, plan: Plan, seed: int, cell: InlineCell
+) -> Policy:
+    if learner is not None:
+        return Episode(learner)
+    return named_policy(policy, plan, seed, cell) if isinstance(policy, str) else policy
+
+
 def _faults(
-    rig: Rig, seed: int, schedule: Schedule | None, stack: ExitStack
+    rig: Rig, seed: int, schedule: Schedule | None, learner: Learner | None, stack: ExitStack
 ) -> tuple[Numbered | None, HostFaults | None]:
     """The cell's faults and those of the near side's process."""
     if schedule is None:
         return None, None
-    far, near = split(schedule.numbered(seed), rig, recorded=False)
+    where = OF_A_RUN
+    if learner is not None:
+        from hil.app.agent_faults import places  # noqa: PLC0415  learners compile their rules
+
+        where = places(learner)
+    far, near = split(schedule.numbered(seed), rig, recorded=True, places=where)
     return far, stack.enter_context(HostFaults(near, seed, rig.robot.period, "lockstep"))
+
+
+def _pieces(learner: Learner | None, host: HostFaults) -> Pieces | None:
+    """What of the learner may fail."""
+    if learner is None:
+        return None
+    from hil.app.agent_faults import pieces  # noqa: PLC0415  learners compile their rules
+
+    return pieces(learner, host)
 
 
 def _aftermath(cell: InlineCell, rig: Rig) -> BaseException | None:

@@ -6,7 +6,6 @@ can, and remembering each pose's last outcome is what reproduces the paper's fig
 """
 
 from enum import Enum
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,32 +29,24 @@ class Model(Enum):
     LAST = "last-label"
 
 
-class Evaluation(NamedTuple):
-    """What the server answers: the model it judged by, out of how many outcomes, what it holds each
-    pose for, (states,). Model and outcomes are its version: a learner compares them with its own.
-    """
-
-    model: Model
-    outcomes: int
-    classes: Classes
-
-
 class Server:
-    """Keeps what the real robot met, and judges poses by it."""
+    """Keeps what the real robot met, and judges poses by it.
+
+    model, and how many outcomes it knows: its version, which a learner compares with its own.
+    """
 
     def __init__(self, model: Model, grid: Grid) -> None:
         self.model, self._grid = model, grid
         self.outcomes = Outcomes(grid.states)
 
-    def answer(self) -> Evaluation | None:
-        """Its evaluation; None before the first success, and of a classifier that has met nothing
-        else yet.
+    def answer(self) -> Classes | None:
+        """What it holds each pose for, (states,); None before the first success, and of a
+        classifier that has met nothing else yet.
         """
         classes_met = np.count_nonzero(self.outcomes.counts.sum(axis=0))
         if not self.outcomes.successes or (self.model is not Model.LAST and classes_met < 2):
             return None
-        classes = evaluate(self.model, self._grid, self.outcomes)
-        return Evaluation(self.model, self.outcomes.total, classes)
+        return evaluate(self.model, self._grid, self.outcomes)
 
     def restart(self) -> None:
         """Begin anew, knowing nothing."""

@@ -115,15 +115,14 @@ class ParallelLearner:
         self._told = self.outcomes.total
 
     def _evaluate(self) -> None:
-        """Take up the server's evaluation, unless it is of another model."""
-        answer = self.server.answer()
-        if answer is None:
-            return
-        self._matches = answer.model is self.settings.model
-        if self._matches:
-            self.classes = answer.classes
-        else:
+        """Take up the server's evaluation, unless it would be another model's."""
+        self._matches = self.server.model is self.settings.model
+        if not self._matches:
             self.refused += 1
+            return
+        classes = self.server.answer()
+        if classes is not None:
+            self.classes = classes
 
     def grip_changed(self) -> None:
         """Nothing: the paper's tables point where they pointed."""

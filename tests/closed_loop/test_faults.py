@@ -45,6 +45,21 @@ def test_a_dead_direction_is_found_out_by_the_robots_own_watchdog(rig, tmp_path)
     assert "commands fell silent" in result.outcome.reason
 
 
+def test_a_full_disk_leaves_a_marked_gap_and_control_as_it_was(rig, tmp_path):
+    def run_with(kind, at, name):
+        trigger = {"at": at}
+        faults = schedule([{"kind": kind, "trigger": trigger, "duration": "0.5 s"}])
+        request = Request(rig, b"rig", 1, "FFC1", out=tmp_path / name, faults=faults)
+        return run(request, lambda *_: None)
+
+    full, sound = run_with("H4", "3 s", "full"), run_with("H4", "1000 s", "sound")
+    assert idle(full.faults) == ()
+    assert full.outcome == sound.outcome
+    found = load(tmp_path / "full").messages
+    texts = [message.payload for message in found if message.topic == Channel.EVENT.topic]
+    assert any(b"gap: " in text for text in texts)
+
+
 @pytest.mark.parametrize(
     ("kind", "complaint"),
     [("L3", "no parallel learner"), ("H4", "writes no recording")],

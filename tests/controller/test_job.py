@@ -106,6 +106,16 @@ def test_a_jammed_part_is_drawn_out_and_tried_beside(make_cell, assemble):
     assert phases[after : after + 2] == ["contact", "search"]
 
 
+def test_a_part_that_is_stuck_again_and_again_is_a_danger_and_is_put_back(assemble):
+    plan = replace(PLAN, start=Place(0.0, 0.0, 0.005, 0.0))
+    insertion = replace(plan.insertion, goal_depth=3.0e-3, jams=2)  # below the floor
+    walk = Walk(*[Action.PLUS_THETA, Action.MINUS_THETA] * 10)
+    cell, outcome = assemble(walk, replace(plan, insertion=insertion))
+    assert (outcome.kind, outcome.reason) == (Kind.DANGER, "stuck in the slot 3 times")
+    assert cell.phases().count("draw out") == 3
+    assert cell.phases()[-1] == "put down"
+
+
 def test_a_jammed_part_is_stepped_on_where_it_is_when_the_plan_says_so(assemble):
     insertion = replace(PLAN.insertion, goal_depth=3.0e-3, jam=Jam.STEP_ON)  # below the floor
     plan = replace(PLAN, start=Place(0.0, 0.0, 0.005, 0.0), insertion=insertion)

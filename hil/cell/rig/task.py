@@ -60,6 +60,10 @@ class Task(Section):
     """What follows a part stuck in the slot's mouth: lift it and touch again, or step where it is
     (the paper's learner)."""
 
+    max_jams: int = Field(default=20, ge=0)
+    """How often a stuck part may be drawn out in one episode. Sound searches need it a few times;
+    a blocked slot would go on to `max_steps`, for minutes."""
+
 
 class Link(Section):
     """Delays of one link, by direction."""

@@ -8,14 +8,12 @@ import numpy as np
 
 from hil.cell.faults.catalogue import CATALOGUE
 from hil.cell.faults.event import Event, Kind
-from hil.cell.faults.row import Parameter, Phase, Place, Row, Value
+from hil.cell.faults.row import Parameter, Phase, Row, Value
 from hil.cell.faults.schedule import Fault
 from hil.cell.faults.span import Span
 from hil.cell.faults.trigger import Trigger
 
-ELSEWHERE: Final = ("H4", "L3", "L4")
-"""Rows that an assembly without recording and without a parallel learner has no place for."""
-MET: Final = ("G2", "P3", "P4", "L1", "L2", "L5")
+MET: Final = ("G2", "P3", "P4", "L1", "L2", "L3", "L4", "L5")
 """Rows that act only where the job comes upon them: over before that, they would show nothing."""
 SPREAD: Final = 4.0
 """Random parameters lie within this factor of their defaults, and within their ranges."""
@@ -25,24 +23,16 @@ LONGEST: Final = 250
 """Control periods that half of the random lasting faults last at most; the others do to the end."""
 
 
-def rows() -> tuple[Row, ...]:
-    """Rows that a run of an assembly has a place for."""
-    return tuple(
-        row for row in CATALOGUE if row.place is not Place.AGENTS and row.id not in ELSEWHERE
-    )
-
-
 def each() -> Iterator[tuple[Fault, Phase]]:
     """Every fault with its defaults in every phase where it makes sense, soon after that begins."""
-    for row in rows():
+    for row in CATALOGUE:
         for phase in row.phases:
             yield Fault(row.id, {}, _trigger(row, phase, 3)), phase
 
 
 def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
     """One fault with random parameters, phase, moment and length."""
-    known = rows()
-    row = known[rng.integers(len(known))]
+    row = CATALOGUE[rng.integers(len(CATALOGUE))]
     phase = row.phases[rng.integers(len(row.phases))]
     values = {parameter.name: _value(parameter, rng) for parameter in row.parameters}
     brief = row.lasting and not row.start and rng.random() < 0.5 and row.id not in MET

@@ -9,7 +9,7 @@ from hil.campaign.run import Verdict as Ended
 from hil.cell.faults.catalogue import row
 from hil.cell.faults.log import FaultEvent, Stage
 from hil.cell.faults.parse import fault
-from hil.cell.faults.row import phase_of
+from hil.cell.faults.row import Place, phase_of
 from hil.cell.faults.schedule import Schedule
 from hil.cell.rig import parse
 from hil.trial.figures import Figures
@@ -22,7 +22,8 @@ def one(run: Run) -> Report:
     """Run the fault in the variant; passed when the run was safe and the fault had an effect."""
     rig = parse(run.rig).on_free_ports()
     chosen = fault("fault", run.variant["fault"])
-    trial = run_trial(rig, run.seed, Schedule((chosen,)))
+    policy = "wdql" if chosen.row.place is Place.AGENTS else "pose"
+    trial = run_trial(rig, run.seed, Schedule((chosen,)), policy=policy)
     entry = load()[chosen.kind]
     owed = trial.faults if entry.stops(chosen) else ()
     over = late(owed, trial.events, entry.budget_ms)

@@ -116,6 +116,50 @@ def test_a_saved_state_is_not_moved_by_later_learning():
     assert np.array_equal(state["pool"]["q1"], before)
 
 
+def practised(**settings):
+    learner = make(**settings)
+    episode(learner)
+    return learner
+
+
+def step(learner):
+    """One real step that ends nothing."""
+    before, after = Cell(0, 0, 0), Cell(1, 0, 0)
+    learner.observe(Transition(seen(before), Action.PLUS_X, seen(after), 1, None))
+
+
+def test_agents_do_not_learn_from_a_server_that_judges_by_another_model():
+    learner = practised()
+    learner.server.model = Model.QUADRATIC
+    walked, refused = learner.agents.steps.copy(), learner.refused
+    step(learner)
+    step(learner)
+    assert np.array_equal(learner.agents.steps, walked)
+    assert learner.refused == refused + 2
+    learner.server.model = learner.settings.model
+    step(learner)
+    assert not np.array_equal(learner.agents.steps, walked)
+
+
+def test_a_server_that_has_forgotten_is_noticed_and_the_agents_wait_for_a_success_again():
+    learner = practised()
+    learner.server.restart()
+    walked = learner.agents.steps.copy()
+    step(learner)
+    step(learner)
+    assert learner.restarts == 1
+    assert np.array_equal(learner.agents.steps, walked)
+    assert not learner.classes.any(), "what the old server said is not the new one's word"
+    learner.observe(Transition(seen(Cell(1, 0, 0)), Action.PLUS_X, seen(GOAL), 2, Kind.INSERTED))
+    assert not np.array_equal(learner.agents.steps, walked)
+
+
+def test_a_classifier_that_has_met_successes_only_says_nothing_yet():
+    learner = make(model=Model.LINEAR)
+    learner.observe(Transition(seen(Cell(0, 0, 0)), Action.PLUS_X, seen(GOAL), 1, Kind.INSERTED))
+    assert not learner.classes.any()
+
+
 def outcomes_of_one_good_pose():
     outcomes = Outcomes(GRID.states)
     for row in range(GRID.states):
