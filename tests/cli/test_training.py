@@ -1,6 +1,7 @@
 """`hil train` survives its own death, refuses what is not its own, and shows what it learnt."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -44,6 +45,55 @@ def test_a_training_killed_in_the_middle_goes_on_to_the_same_bits(whole, tmp_pat
     assert 1 <= checkpoint.read(path).episodes < 4
     assert call(["train", "ffc_learning", *SMALL, "--out", str(path), "--resume"]) == 0
     assert path.read_bytes() == whole.read_bytes()
+
+
+BROKEN = """
+faults:
+  - {kind: L1, trigger: {event: "phase: search"}}
+  - {kind: L3, trigger: {event: "phase: search"}, params: {agent: 2}}
+  - {kind: L4, trigger: {event: "phase: search"}, params: {what: wrong_model}}
+"""
+
+
+@pytest.fixture
+def broken(tmp_path):
+    """Trains one episode under the faults of learners, or of a text; the exit status."""
+
+    def train(learner, text=BROKEN):
+        file, out = tmp_path / "broken.yaml", tmp_path / "learner.hil"
+        file.write_text(text, encoding="utf-8")
+        episodes = ("--episodes", "1", "--verify", "0", "--seed", "4")
+        command = ["train", "ffc_learning", "--learner", learner, *episodes]
+        return call([*command, "--out", str(out), "--faults", str(file)]), out
+
+    return train
+
+
+def test_a_training_under_faults_says_what_became_of_them_and_which_episodes_they_touched(
+    broken, capsys
+):
+    status, _ = broken("wdql")
+    said = capsys.readouterr().out
+    assert status == 0
+    assert "L1 [0] active: chosen by an old observation" in said
+    assert "L3 [1] active: agent 2 of 6 is gone" in said
+    assert "L4 [2] active: the server judges by linear, the learner by last-label" in said
+    assert re.search(r"^ +1  FFC1 .* refused evaluations: [1-9]", said, re.MULTILINE)
+
+
+def test_a_learner_without_agents_has_none_to_lose_and_nothing_is_begun(broken, capsys):
+    status, out = broken("belief")
+    said = capsys.readouterr().err
+    assert status == 2
+    assert "faults[1]: L3 learner.agent: this run has no parallel learner" in said
+    assert not out.exists()
+
+
+def test_a_training_whose_fault_never_became_active_is_vacuous(broken, capsys):
+    fault = '{kind: L1, trigger: {event: "phase: search", offset: +1000 s}}'
+    status, _ = broken("belief", f"faults: [{fault}]")
+    assert status == 1
+    assert "vacuous: L1" in capsys.readouterr().err
 
 
 def test_a_checkpoint_is_not_overwritten_unasked(whole, capsys):

@@ -44,9 +44,10 @@ def test_a_recorder_whose_writer_died_says_so_at_every_call(tmp_path, identity):
     recorder.open()
     recorder._writer.kill()
     recorder._writer.wait()
+    for k in range(CHUNK - 1):
+        recorder.put(Channel.DEADLINE, 8_000_000 * k, deadline.encode(k, 0))
     with pytest.raises(RecordingError, match="recording failed"):
-        for k in range(2 * CHUNK):
-            recorder.put(Channel.DEADLINE, 8_000_000 * k, deadline.encode(k, 0))
+        recorder.put(Channel.DEADLINE, 1 << 39, deadline.encode(0, 0))
     with pytest.raises(RecordingError, match="recording failed"):
         recorder.put(Channel.DEADLINE, 1 << 40, deadline.encode(0, 0))
     with pytest.raises(RecordingError, match="recording failed"):
