@@ -1,5 +1,6 @@
 """The whole cell as a world: a call a step, while everything behind it goes over the wire."""
 
+import atexit
 from contextlib import ExitStack
 from itertools import cycle
 from queue import SimpleQueue
@@ -69,6 +70,8 @@ class CellWorld:
             )
             self._trainer: Trainer = connected(self._rig, self._cell, stack, _watch_nothing, None)
             self._open = stack.pop_all()
+        # Threads that stand in physics while the interpreter ends take it down with them.
+        atexit.register(self.close)
         self._fetch()
 
     def regrip(self) -> None:
@@ -111,6 +114,7 @@ class CellWorld:
 
     def close(self) -> None:
         """End the episode, the drivers and the cell, as far as there are any."""
+        atexit.unregister(self.close)
         with ExitStack() as stack:
             if self._open is not None:
                 stack.enter_context(self._open)

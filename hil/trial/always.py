@@ -21,7 +21,7 @@ class Always(NamedTuple):
 
 def monitors(rig: Rig) -> tuple[Always, ...]:
     """Of a rig, with its own limits."""
-    limits, period = rig.limits, rig.robot.period * 1e-9
+    limits = rig.limits
     cycles = -(-round(limits.standstill * NS) // rig.robot.period)
     still = f"(speed <= {REST_SPEED} and turning <= {REST_TURN})"
     return (
@@ -46,6 +46,18 @@ def monitors(rig: Rig) -> tuple[Always, ...]:
             f"historically[0:{cycles}] (owed > 0.5) -> {still}",
             "standstill within N cycles of a fault that has to stop the arm",
         ),
+        Always(
+            "stopped",
+            f"historically[0:{cycles}] (running > 0.5 and stopping > 0.5) -> {still}",
+            "standstill within N cycles of a stop",
+        ),
+        *_of_commands(rig),
+    )
+
+
+def _of_commands(rig: Rig) -> tuple[Always, ...]:
+    limits, period = rig.limits, rig.robot.period * 1e-9
+    return (
         Always("finite", "finite > 0.5", "no set-point that is not a number"),
         Always("step", f"step <= {limits.step * 1.001:.6g}", "step of the target within limits"),
         Always(
@@ -57,11 +69,6 @@ def monitors(rig: Rig) -> tuple[Always, ...]:
             "turn", f"turn <= {limits.step_rotation * 1.05:.6g}", "turn of the target in limits"
         ),
         Always("commands", "commands <= 1", "at most one command a cycle"),
-        Always(
-            "stopped",
-            f"historically[0:{cycles}] (running > 0.5 and stopping > 0.5) -> {still}",
-            "standstill within N cycles of a stop",
-        ),
     )
 
 

@@ -4,7 +4,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
 from hashlib import sha256
-from typing import Final
+from typing import Final, NamedTuple
 
 from controller.action import Policy
 from controller.outcome import Outcome
@@ -97,48 +97,85 @@ def run_trial(
     and nothing else.
     """
     plan = start_plan(rig, part_named(rig, part or rig.first_part), seed)
-    learner = _learner(policy, rig, seed)
     driver = Driver(rig, sampler := Sampler(rig), round(longest * NS))
-    with ExitStack() as stack:
-        far, host = _faults(rig, seed, schedule, learner, stack)
-        opened = InlineCell(rig, seed, "lockstep", faults=far, observe=sampler.tick)
-        cell = stack.enter_context(opened)
-        sampler.bench = cell.served.bench
-        with near_side(rig, cell.doors, driver.heard, PATIENCE) as near:
-            chosen = _chooser(policy, learner, plan, seed, cell)
-            if host is not None and schedule is not None:
-                logs = partial(events, cell.served), lambda: host.events
-                sampler.faults = Owed(schedule.numbered(seed), load(), *logs)
-                driver.attend = lambda cycle, course, arm: host.attend(cycle, course, cell, arm)
-                chosen = FaultyPolicy(chosen, host, _pieces(learner, host))
-                if any(fault.kind == "H4" for fault in schedule.faults):
-                    driver.record = recording(rig, seed, cell, host, stack)
-            driven = driver.run(near, plan, chosen)
-            health = near.sensor.health
-        died = _aftermath(cell, rig)
-        if host is not None:
-            host.news()
-        told = events(cell.served) + (host.events if host is not None else ())
-        log = cell.served.bench.arm.log
-    told = tuple(sorted(told, key=lambda event: event.t))
+    ran = _Run(rig, seed, schedule, policy, plan).drive(driver, sampler)
     judgement = sampler.judge.judgement
-    verdict, reason = _verdict(driven, died, judgement, told)
+    verdict, reason = _verdict(ran.driven, ran.died, judgement, ran.events)
     return Trial(
         seed=seed,
         schedule=schedule,
         verdict=verdict,
         reason=reason,
-        outcome=driven.outcome,
-        error=_words(driven.error),
+        outcome=ran.driven.outcome,
+        error=_words(ran.driven.error),
         trace=sampler.trace,
-        events=told,
-        faults=figures(sampler.trace, told, sampler.noticed),
+        events=ran.events,
+        faults=figures(sampler.trace, ran.events, sampler.noticed),
         robustness=judgement.robustness,
         violations=judgement.violations,
-        health=health,
-        log=log,
+        health=ran.health,
+        log=ran.log,
         period=rig.robot.period,
     )
+
+
+class _Ran(NamedTuple):
+    """What happened, before anybody judges it. died: what the cell ended of, if it did."""
+
+    driven: Driven
+    died: BaseException | None
+    events: tuple[FaultEvent, ...]
+    health: SensorHealth
+    log: tuple[tuple[int, str], ...]
+
+
+class _Run(NamedTuple):
+    """A cell and a near side that are brought up, broken, driven and taken down."""
+
+    rig: Rig
+    seed: int
+    schedule: Schedule | None
+    policy: "str | Policy"
+    plan: Plan
+
+    def drive(self, driver: Driver, sampler: Sampler) -> _Ran:
+        rig, seed = self.rig, self.seed
+        learner = _learner(self.policy, rig, seed)
+        with ExitStack() as stack:
+            far, host = _faults(rig, seed, self.schedule, learner, stack)
+            opened = InlineCell(rig, seed, "lockstep", faults=far, observe=sampler.tick)
+            cell = stack.enter_context(opened)
+            sampler.bench = cell.served.bench
+            with near_side(rig, cell.doors, driver.heard, PATIENCE) as near:
+                chosen = _chooser(self.policy, learner, self.plan, seed, cell)
+                if host is not None:
+                    chosen = FaultyPolicy(chosen, host, _pieces(learner, host))
+                    self._arm(driver, sampler, cell, host, stack)
+                driven = driver.run(near, self.plan, chosen)
+                health = near.sensor.health
+            died = _aftermath(cell, rig)
+            if host is not None:
+                host.news()
+            told = events(cell.served) + (host.events if host is not None else ())
+            log = cell.served.bench.arm.log
+        return _Ran(driven, died, tuple(sorted(told, key=lambda event: event.t)), health, log)
+
+    def _arm(
+        self,
+        driver: Driver,
+        sampler: Sampler,
+        cell: InlineCell,
+        host: HostFaults,
+        stack: ExitStack,
+    ) -> None:
+        """Faults of the near side's process act from here on, and what each is owed is watched."""
+        schedule = self.schedule
+        assert schedule is not None, "faults come from a schedule"
+        logs = partial(events, cell.served), lambda: host.events
+        sampler.faults = Owed(schedule.numbered(self.seed), load(), *logs)
+        driver.attend = lambda cycle, course, arm: host.attend(cycle, course, cell, arm)
+        if any(fault.kind == "H4" for fault in schedule.faults):
+            driver.record = recording(self.rig, self.seed, cell, host, stack)
 
 
 def _learner(policy: "str | Policy", rig: Rig, seed: int) -> Learner | None:
