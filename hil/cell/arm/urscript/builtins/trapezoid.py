@@ -41,7 +41,7 @@ def limited(way: float, speed: float, acceleration: float) -> Trapezoid:
 def lasting(duration: float, way: float, acceleration: float, speed: float) -> Trapezoid:
     """A third of the time each for speeding up, cruising and slowing down; the split is assumed.
 
-    A time that is too short for the limits is lengthened, a cruise too fast is.
+    A time too short for the limits is lengthened, a cruise too fast for them is slowed.
     """
     fastest = limited(way, speed, acceleration)
     if fastest.duration >= duration:
