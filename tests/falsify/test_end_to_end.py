@@ -7,19 +7,8 @@ import pytest
 import yaml
 
 from hil.cli.main import call
+from hil.cli.shipped import find
 
-RIG = """
-name: cable
-robot:
-  model: ur5
-  series: cb3
-  home: [0.0 deg, -98.4 deg, 118.9 deg, -110.5 deg, -90.0 deg, 90.0 deg]
-can: {interface: virtual}
-sensor: {boot_time: 8 ms}
-connector: {position: [-450 mm, -110 mm, 50 mm]}
-fixture: {parts: [{name: FFC1, position: [-430 mm, -130 mm, 55 mm]}]}
-task: {start_cells: [2, 3, 1]}
-"""
 NEVER_STOPPED = "not (running > 0.5 and stopping > 0.5)"
 """What a lost bus violates and a sound run does not: the job comes to its own end."""
 
@@ -27,7 +16,7 @@ NEVER_STOPPED = "not (running > 0.5 and stopping > 0.5)"
 @pytest.fixture
 def repository(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "cable.yaml").write_text(RIG)
+    (tmp_path / "cable.yaml").write_text(find("ffc_short").read_text())
     return tmp_path
 
 

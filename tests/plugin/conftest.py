@@ -11,20 +11,6 @@ can: {interface: virtual}
 sensor: {boot_time: 8 ms}
 """
 
-CABLE = """
-name: cable
-robot:
-  model: ur5
-  series: cb3
-  home: [0.0 deg, -98.4 deg, 118.9 deg, -110.5 deg, -90.0 deg, 90.0 deg]
-can: {interface: virtual}
-sensor: {boot_time: 8 ms}
-connector: {position: [-450 mm, -110 mm, 50 mm]}
-fixture: {parts: [{name: FFC1, position: [-430 mm, -130 mm, 55 mm]}]}
-task: {start_cells: [2, 3, 1]}
-"""
-"""A whole assembly in as little time as there is."""
-
 REAL = """
 name: lab
 rig: real
@@ -39,7 +25,7 @@ def repository(pytester, monkeypatch):
     """A user's repository with packages whose names this project has too, and two rig files."""
     monkeypatch.delenv("PYTEST_ADDOPTS", raising=False)
     monkeypatch.delenv("PYTEST_XDIST_WORKER", raising=False)
-    pytester.makefile(".yaml", bench=RIG, cable=CABLE, lab=REAL)
+    pytester.makefile(".yaml", bench=RIG, lab=REAL)
     pytester.makepyfile(
         **{
             "drivers/__init__": "",

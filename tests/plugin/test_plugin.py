@@ -204,7 +204,7 @@ def test_an_option_that_makes_no_sense_is_one_line_and_nothing_runs(repository, 
 
 def test_a_fault_that_never_happens_fails_the_test_and_is_named(child, repository):
     result = child(
-        "--rig=cable.yaml", "--junitxml=j.xml", "--hil-report=out", "--hil-keep=all",
+        "--rig=ffc_short", "--junitxml=j.xml", "--hil-report=out", "--hil-keep=all",
         test_faults="""
         import pytest
         from hil_fixtures.strategies import Actions

@@ -22,25 +22,12 @@ from hil.cell.faults.row import Place, phase_of
 from hil.cell.faults.schedule import Fault, Schedule
 from hil.cell.faults.span import Span
 from hil.cell.faults.trigger import Trigger
-from hil.cell.rig import parse
 from hil.trial.trial import run_trial
 from hil.trial.verdict import Verdict
 from hil_fixtures import strategies as hs
+from hil_fixtures.testbed import shipped
 
-RIG = parse(
-    """
-name: cable
-robot:
-  model: ur5
-  series: cb3
-  home: [0.0 deg, -98.4 deg, 118.9 deg, -110.5 deg, -90.0 deg, 90.0 deg]
-can: {interface: virtual}
-sensor: {boot_time: 8 ms}
-connector: {position: [-450 mm, -110 mm, 50 mm]}
-fixture: {parts: [{name: FFC1, position: [-430 mm, -130 mm, 55 mm]}]}
-task: {start_cells: [2, 3, 1], on_jam: step on}
-"""
-).on_free_ports()
+RIG = shipped("ffc_short")
 LONGEST = 30.0
 """Bench seconds; the longest sequence of actions takes 20."""
 UNSAFE = (Verdict.FAILED, Verdict.HANG, Verdict.CRASH)
