@@ -24,16 +24,8 @@ class Course:
     """
 
     __slots__ = (
-        "_holds",
-        "_lost",
-        "cycle",
-        "held",
-        "name",
-        "period",
-        "refused",
-        "setpoint",
-        "steps",
-    )
+        "_holds", "_lost", "cycle", "held", "name", "period", "refused", "setpoint", "steps",
+    )  # fmt: skip
 
     def __init__(self, cycle: Cycle, period: float) -> None:
         self.cycle = cycle

@@ -29,6 +29,7 @@ from hil.app.process import CellProcess
 from hil.app.real import RealCell
 from hil.app.record import RunRecord, identity
 from hil.app.undisturbed import undisturbed
+from hil.app.watched import Look, watched
 from hil.cell.faults.log import FaultEvent
 from hil.cell.faults.schedule import Numbered, Schedule
 from hil.cell.rig import Rig
@@ -189,7 +190,7 @@ class _Drive:
         plan: Plan,
         chosen: Policy,
         record: RunRecord | None,
-        watch: Callable[[Cycle, Course], None],
+        watch: Look,
     ) -> None:
         self.near, self._plan, self._policy = near, plan, chosen
         self.record, self._watch = record, watch
@@ -202,18 +203,7 @@ class _Drive:
         self._first, self._started = course.cycle.t, perf_counter()
         near = self.near
         job = assembly(course, self._plan, near.sensor, near.gripper, self._policy)
-        return self._watched(course, job)
-
-    def _watched(self, course: Course, job: Phase[Ending]) -> Phase[Ending]:
-        """The job, each cycle shown to the watcher before its command lets the cell move on."""
-        try:
-            setpoint = next(job)
-            while True:
-                self._watch(course.cycle, course)
-                setpoint = job.send((yield setpoint))
-        except StopIteration as end:
-            ending: Ending = end.value
-            return ending
+        return watched(course, job, self._watch)
 
     def observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
         course = self._course

@@ -24,6 +24,7 @@ from hil.app.host_faults import HostFaults
 from hil.app.learner_faults import FaultyPolicy, Pieces
 from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
 from hil.app.record import RunRecord
+from hil.app.watched import watched
 from hil.cell.errors import CellError
 from hil.cell.rig import Rig
 from learner.episode import ENDINGS, Episode
@@ -172,19 +173,13 @@ class Trainer:
         return self._loop.run(partial(self._watched, job), bounds)
 
     def _watched(self, job: Callable[[Course], Phase[Ending]], course: Course) -> Phase[Ending]:
-        """The job, each cycle shown to the watcher before its command lets the cell move on."""
         self._course = course
-        phase = job(course)
-        try:
-            setpoint = next(phase)
-            while True:
-                if self._faults is not None:
-                    self._faults.host.attend(course.cycle, course, self._cell, self._near.arm)
-                self._watch(course.cycle, course, self._cell)
-                setpoint = phase.send((yield setpoint))
-        except StopIteration as end:
-            ending: Ending = end.value
-            return ending
+        return watched(course, job(course), self._look)
+
+    def _look(self, cycle: Cycle, course: Course) -> None:
+        if self._faults is not None:
+            self._faults.host.attend(cycle, course, self._cell, self._near.arm)
+        self._watch(cycle, course, self._cell)
 
     def _observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
         self.last = cycle

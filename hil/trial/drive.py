@@ -21,6 +21,7 @@ from drivers.ur.arm import UrArm
 from drivers.ur.program import Command
 from hil.app.near import NearSide, limits, task_frame
 from hil.app.record import RunRecord
+from hil.app.watched import watched
 from hil.cell.rig import Rig
 from hil.trial.sampler import Sampler
 
@@ -107,16 +108,14 @@ class Driver:
         """
         self._sampler.episode, self._sampler.running = 1, True
         self._course = course
-        try:
-            setpoint = next(job)
-            while True:
-                self._sampler.cycle(course.cycle, course)
-                self.attend(course.cycle, course, arm)
-                setpoint = job.send((yield setpoint))
-        except StopIteration as end:
-            self._sampler.running = False
-            ending: Ending = end.value
-            return ending
+
+        def look(cycle: Cycle, course: Course) -> None:
+            self._sampler.cycle(cycle, course)
+            self.attend(cycle, course, arm)
+
+        ending = yield from watched(course, job, look)
+        self._sampler.running = False
+        return ending
 
     def _observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
         if self.record is not None and self._course is not None:

@@ -22,12 +22,12 @@ def as_text(rows: Sequence[Row], *, paper: bool = True) -> str:
         table.add_column(name, overflow="fold")
     for row in rows:
         seeds = f"{row.seeds}" + (f" ({row.broken} broken)" if row.broken else "")
-        rates = (_shown(rate, 100.0) for rate in (row.success, row.danger, row.step_limit))
+        rates = (shown(rate, 100.0) for rate in (row.success, row.danger, row.step_limit))
         others = (
             row.training_steps, row.episodes_to_20_steps, row.late_steps,
             row.ffc2_first_steps_mean, row.ffc2_first_steps_iqm,
         )  # fmt: skip
-        table.add_row(row.learner, seeds, *rates, *map(_shown, others))
+        table.add_row(row.learner, seeds, *rates, *map(shown, others))
     if paper:
         table.add_row(*PAPER)
     screen = StringIO()
@@ -35,6 +35,7 @@ def as_text(rows: Sequence[Row], *, paper: bool = True) -> str:
     return "\n".join(line.rstrip() for line in screen.getvalue().splitlines()) + "\n"
 
 
-def _shown(estimate: Estimate, factor: float = 1.0) -> str:
+def shown(estimate: Estimate, factor: float = 1.0, unit: str = "") -> str:
+    """A figure with its interval; factor: 100 for %."""
     value, low, high = (factor * end for end in (estimate.value, estimate.low, estimate.high))
-    return f"{value:.3g} [{low:.3g}, {high:.3g}]"
+    return f"{value:.3g}{unit} [{low:.3g}, {high:.3g}]"

@@ -15,6 +15,7 @@ from controller.track import tracking
 from hil.app.inline import InlineCell
 from hil.app.near import limits, near_side, task_frame
 from hil.app.record import RunRecord, identity
+from hil.app.watched import Look, watched
 from hil.campaign.run import Json
 from hil.cell.rig import Rig
 from hil.experiments.force_tracking.figures import figures
@@ -95,24 +96,15 @@ class _Drive:
     def __init__(
         self,
         job: Callable[[Course], Phase[Ending]],
-        watch: Callable[[Cycle, Course], None],
+        watch: Look,
         record: RunRecord | None,
     ) -> None:
         self._job, self._watch, self._record = job, watch, record
         self._course: Course | None = None
 
     def job(self, course: Course) -> Phase[Ending]:
-        """The job, each cycle shown to the watcher before its command lets the cell move on."""
         self._course = course
-        job = self._job(course)
-        try:
-            setpoint = next(job)
-            while True:
-                self._watch(course.cycle, course)
-                setpoint = job.send((yield setpoint))
-        except StopIteration as end:
-            ending: Ending = end.value
-            return ending
+        return watched(course, self._job(course), self._watch)
 
     def observe(self, cycle: Cycle, setpoint: Place, _phase: str) -> None:
         if self._record is not None and self._course is not None:

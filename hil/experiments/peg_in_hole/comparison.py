@@ -2,11 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from html import escape
 
 from controller.outcome import Kind
 from hil.cell.streams import stream
 from hil.experiments.ffc.rows import Estimate, first, share, steps
 from hil.experiments.ffc.runs import Training
+from hil.experiments.ffc.table import shown
 from hil.experiments.statistics import improvement, probability_of_improvement
 
 
@@ -39,6 +41,20 @@ def comparisons(trainings: Sequence[Training], reference: str) -> list[Compariso
         for name, runs in ours.items()
         if runs and theirs and name != reference
     ]  # fmt: skip
+
+
+def as_html(found: Sequence[Comparison]) -> str:
+    """A heading and a table; nothing where nothing was compared."""
+    if not found:
+        return ""
+    lines = "\n".join(
+        f"<tr><td>{escape(one.learner)}</td><td>{shown(one.success)}</td>"
+        f"<td>{shown(one.danger)}</td><td>{shown(one.training_steps)}</td></tr>"
+        for one in found
+    )
+    title = f"Probability that a run is better than one of {escape(found[0].reference)}"
+    head = "<td>learner</td><td>more success</td><td>fewer dangers</td><td>fewer steps</td>"
+    return f"<h2>{title}</h2>\n<table><tr>{head}</tr>\n{lines}</table>"
 
 
 def _whole(trainings: Sequence[Training], name: str) -> list[Training]:

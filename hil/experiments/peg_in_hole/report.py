@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from hil.experiments.ffc.rows import Estimate, Row, rows
+from hil.experiments.ffc.rows import Row, rows
 from hil.experiments.ffc.runs import Training
-from hil.experiments.ffc.table import as_text
-from hil.experiments.peg_in_hole.comparison import Comparison
+from hil.experiments.ffc.table import as_text, shown
+from hil.experiments.peg_in_hole.comparison import Comparison, as_html
 from hil.experiments.peg_in_hole.figure import draw
-from hil.view.page import STYLE
+from hil.view.page import document
 
 
 def write(
@@ -30,25 +30,16 @@ def render(
 ) -> str:
     """HTML with its picture inside; no script, no link."""
     found = rows(trainings)
-    title = escape(f"Learners on world {world}")
     image = b64encode(picture).decode()
     claims = _claims({row.learner: row for row in found}) if world == "G0" else ""
-    return f"""<!doctype html>
-<html lang="en">
-<head><meta charset="utf-8"><title>{title}</title><style>{STYLE}
-pre {{ font-size: 11px; overflow-x: auto; }}</style></head>
-<body>
-<h1>{title}</h1>
-<p>No robot and no physics: the search task alone. Rates in % of all episodes; each figure with its
-95 % bootstrap interval over seeds.</p>
+    body = f"""<p>No robot and no physics: the search task alone. Rates in % of all episodes; each
+figure with its 95 % bootstrap interval over seeds.</p>
 <pre>{escape(as_text(found, paper=world != "G0"))}</pre>
 {claims}
 <h2>Steps by episode (Fig. 4)</h2>
 <img alt="Mean steps of each episode by learner" src="data:image/png;base64,{image}">
-{_better(against)}
-</body>
-</html>
-"""
+{as_html(against)}"""
+    return document(f"Learners on world {world}", body)
 
 
 def _claims(found: dict[str, Row]) -> str:
@@ -77,24 +68,4 @@ def _claims(found: dict[str, Row]) -> str:
 
 
 def _late(found: Sequence[Row]) -> str:
-    return "; ".join(f"{row.learner}: {_plain(row.late_steps)}" for row in found)
-
-
-def _better(against: Sequence[Comparison]) -> str:
-    if not against:
-        return ""
-    lines = "\n".join(
-        f"<tr><td>{escape(one.learner)}</td><td>{_plain(one.success)}</td>"
-        f"<td>{_plain(one.danger)}</td><td>{_plain(one.training_steps)}</td></tr>"
-        for one in against
-    )
-    head = (
-        "<tr><td>learner</td><td>more success</td><td>fewer dangers</td><td>fewer steps</td></tr>"
-    )
-    reference = escape(against[0].reference)
-    title = f"Probability that a run is better than one of {reference}"
-    return f"<h2>{title}</h2>\n<table>{head}\n{lines}</table>"
-
-
-def _plain(estimate: Estimate) -> str:
-    return f"{estimate.value:.3g} [{estimate.low:.3g}, {estimate.high:.3g}]"
+    return "; ".join(f"{row.learner}: {shown(row.late_steps)}" for row in found)
