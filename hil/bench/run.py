@@ -65,6 +65,13 @@ def measure(rig: Rig, rig_text: bytes, case: Case, seconds: float) -> Measured:
     return Measured(case, plain.real_time_factor, plain.periods, parts, plain.lateness)
 
 
+def speed(rig: Rig, rig_text: bytes, case: Case, seconds: float) -> float:
+    """How many times real time the case runs, nothing metered."""
+    plain = _Bench(case.rig(rig), rig_text, case, seconds)
+    plain.perform()
+    return plain.real_time_factor
+
+
 class _Bench:
     """One cell, one pair of drivers, one timed stretch of control periods."""
 

@@ -15,7 +15,6 @@ from hil.cell.rig import Rig
 NewPlant: TypeAlias = Callable[[Rig, np.random.Generator], Plant]
 
 PERIOD = 8_000_000
-SECONDS = PERIOD * 1e-9
 HEIGHT = 0.3e-3
 """Where a trial starts above the face, m."""
 MASS, DAMPING = 1.0, 1000.0
@@ -38,17 +37,28 @@ def with_values(rig: Rig, section: str, **values: object) -> Rig:
 
 
 class Press:
-    """One trial: grip over the connector at (x, y, theta), tare in the air, then press."""
+    """One trial: grip over the connector at (x, y, theta), tare in the air, then press.
+
+    period: of control, ns.
+    """
 
     def __init__(
-        self, plant: NewPlant, rig: Rig, x: float = 0.0, y: float = 0.0, theta: float = 0.0
+        self,
+        plant: NewPlant,
+        rig: Rig,
+        x: float = 0.0,
+        y: float = 0.0,
+        theta: float = 0.0,
+        *,
+        period: int = PERIOD,
     ) -> None:
+        self._period, self._seconds = period, period * 1e-9
         self.plant = plant(over_connector(rig, x, y, theta), np.random.default_rng(0))
         self._force_wanted = rig.task.contact_force
         self._x, self._y, self._z, self._theta = x, y, HEIGHT, theta
         self._v = 0.0
         self.plant.reset(self._target(closed=False))
-        self.last: PlantStep = self.plant.step(self._target(closed=True), PERIOD)
+        self.last: PlantStep = self.plant.step(self._target(closed=True), self._period)
         self._tare = self.last.wrenches[-1].copy()
 
     @property
@@ -65,19 +75,19 @@ class Press:
     def press(self, dx: float = 0.0, dy: float = 0.0, dtheta: float = 0.0) -> Array:
         """One period at constant force, the stage moved on by a step; returns the wrench."""
         excess = self.force - self._force_wanted
-        self._v = (MASS * self._v / SECONDS + excess) / (MASS / SECONDS + DAMPING)
-        return self.move(dx, dy, self._v * SECONDS, dtheta)
+        self._v = (MASS * self._v / self._seconds + excess) / (MASS / self._seconds + DAMPING)
+        return self.move(dx, dy, self._v * self._seconds, dtheta)
 
     def move(self, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0, dtheta: float = 0.0) -> Array:
         """One period with the set-point moved on by a step; returns the wrench."""
         self._x, self._y, self._z = self._x + dx, self._y + dy, self._z + dz
         self._theta += dtheta
-        self.last = self.plant.step(self._target(closed=True), PERIOD)
+        self.last = self.plant.step(self._target(closed=True), self._period)
         return self.wrench
 
     def open(self) -> None:
         """Let the cable go."""
-        self.last = self.plant.step(self._target(closed=False), PERIOD)
+        self.last = self.plant.step(self._target(closed=False), self._period)
 
     def _target(self, closed: bool) -> StageTarget:
         return StageTarget(self._x, self._y, self._z, self._theta, closed)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from io import StringIO
+from statistics import median
 from typing import TYPE_CHECKING
 
 import orjson
@@ -12,6 +13,7 @@ from hil.recording.diff import Comparison
 from hil.recording.summary import Summary, timeline
 
 if TYPE_CHECKING:
+    from hil.bench.compare import Compared
     from hil.bench.run import Measured
     from hil.cell.clock import Lateness
     from hil.doctor.finding import Finding
@@ -90,6 +92,19 @@ def of_bench(measured: "Sequence[Measured]") -> str:
         speed = f"{entry.real_time_factor:.1f}"
         table.add_row(entry.case.name, speed, str(entry.periods), spent or late)
     return _text(table)
+
+
+def of_ring(compared: "Sequence[Compared]") -> str:
+    """Speed of each case and of the minimal ring, and their ratio: median (least to most)."""
+    table = _table("case", "x real time", "minimal ring", "of the ring's speed")
+    for entry in compared:
+        spreads = [_spread(values) for values in (entry.loop, entry.ring, entry.ratios)]
+        table.add_row(entry.case.name, *spreads)
+    return _text(table)
+
+
+def _spread(values: "Sequence[float]") -> str:
+    return f"{median(values):.2f} ({min(values):.2f} to {max(values):.2f})"
 
 
 def of_lateness(late: "Lateness") -> str:
