@@ -1,7 +1,9 @@
 """The thread that runs through a job: last cycle, last set-point, phase and step count."""
 
+from collections import deque
 from collections.abc import Callable, Generator
-from typing import TypeAlias, TypeVar
+from math import dist
+from typing import Final, TypeAlias, TypeVar
 
 from controller.cycle import Cycle
 from controller.errors import PartLostError
@@ -12,8 +14,14 @@ R = TypeVar("R")
 Phase: TypeAlias = Generator[Place, Cycle, R]
 """A phase yields a set-point, receives the next cycle, and returns how it ended."""
 
-LOST = 3
+LOST: Final = 3
 """Cycles: a contact that bounces once has not lost the part."""
+IN_FREE_AIR: Final = frozenset(("pick up", "approach", "put down"))
+"""Phases that expect no contact: whatever is met there is drawn back from."""
+CLEAR: Final = 5e-3
+"""m that an arm draws back from what it met: further than it was pushed in."""
+_REMEMBERED: Final = 256
+"""Set-points kept: two seconds at 125 Hz."""
 
 
 class Course:
@@ -24,7 +32,8 @@ class Course:
     """
 
     __slots__ = (
-        "_holds", "_lost", "cycle", "held", "name", "period", "refused", "setpoint", "steps",
+        "_holds", "_lost", "_trail", "cycle", "held", "name", "period", "refused", "setpoint",
+        "steps",
     )  # fmt: skip
 
     def __init__(self, cycle: Cycle, period: float) -> None:
@@ -35,6 +44,7 @@ class Course:
         self.steps = 0
         self.refused = 0
         self.held = 0
+        self._trail: deque[Place] = deque([self.setpoint], maxlen=_REMEMBERED)
         self._holds: Callable[[ArmState], bool] | None = None
         self._lost = 0
 
@@ -46,9 +56,19 @@ class Course:
         """
         self._holds, self._lost = holds, 0
 
+    @property
+    def way_back(self) -> Place | None:
+        """Where to draw back to on the way that led here; None where contact is expected."""
+        if self.name not in IN_FREE_AIR:
+            return None
+        here = self.setpoint
+        behind = (at for at in reversed(self._trail) if dist(at[:3], here[:3]) >= CLEAR)
+        return next(behind, self._trail[0])
+
     def to(self, place: Place) -> Phase[Cycle]:
         """Send one set-point and wait for the cycle that follows it."""
         self.setpoint = place
+        self._trail.append(place)
         self.cycle = yield place
         if self._holds is not None:
             self._lost = 0 if self._holds(self.cycle.state) else self._lost + 1

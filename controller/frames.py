@@ -60,6 +60,23 @@ def wrench_to_task(wrench: Vector6, theta: float) -> Vector6:
     return (c * fx + s * fy, s * fx - c * fy, -fz, c * tx + s * ty, s * tx - c * ty, -tz)
 
 
+def turned(vector: tuple[float, float, float], pose: Vector6) -> tuple[float, float, float]:
+    """A vector of the tool's frame in base, by the pose's rotation vector (Rodrigues)."""
+    rotation = pose[3:]
+    angle = hypot(*rotation)
+    if angle == 0.0:
+        return vector
+    kx, ky, kz = (part / angle for part in rotation)
+    x, y, z = vector
+    c, s = cos(angle), sin(angle)
+    along = (kx * x + ky * y + kz * z) * (1.0 - c)
+    return (
+        c * x + s * (ky * z - kz * y) + along * kx,
+        c * y + s * (kz * x - kx * z) + along * ky,
+        c * z + s * (kx * y - ky * x) + along * kz,
+    )
+
+
 def tilt(pose: Vector6) -> float:
     """Angle between the tool's axis and straight down, rad: what `from_base` cannot express."""
     rx, ry, rz = pose[3:]

@@ -34,6 +34,12 @@ class Limits:
         fx, fy, fz, tau_z = (bound * factor for bound in self.force_bound)
         return replace(self, force_bound=(fx, fy, fz, tau_z))
 
+    def leaving(self, wrench: Vector6) -> "Limits":
+        """The same for drawing back from what pushes with `wrench`: it must not push much more."""
+        forces = zip(_FORCES, self.force_bound, strict=True)
+        share = max(abs(wrench[axis]) / bound for (_, axis), bound in forces)
+        return self.relaxed(max(3.0, 1.25 * share))
+
 
 class Guard:
     """Raises GuardTrip on the first limit passed.

@@ -11,6 +11,7 @@ from controller.filters import MovingMean
 from controller.frames import TaskFrame, wrench_to_task
 from controller.guard import Guard, Limits
 from controller.outcome import Ending, Kind, Outcome
+from controller.phases.withdraw import withdraw
 from controller.place import Place
 from controller.stop import come_to_rest
 from drivers.errors import DriverError
@@ -51,8 +52,18 @@ class Loop:
     def run(self, job: Job, limits: Limits) -> Outcome:
         """Drive the job to its end. A limit or a failing device stops the arm and is told in the
         Outcome; every other exception, KeyboardInterrupt too, stops the arm and goes on.
+
+        After a force where nothing should be the arm draws back the way it came.
         """
         self._cycles, self._misses, self._t = 0, 0, None
+        try:
+            return self._ended(job, limits)
+        except BaseException:
+            with suppress(DriverError):  # a dead link must not hide what went wrong
+                self._arm.stop()
+            raise
+
+    def _ended(self, job: Job, limits: Limits) -> Outcome:
         course: Course | None = None
         guard = Guard(limits, self._arm.period)
         try:
@@ -60,11 +71,7 @@ class Loop:
             course = Course(cycle, self._arm.period * 1e-9)
             ending = self._drive(job(course), course, guard)
         except (ControlError, DriverError) as error:
-            return self._stopped(error, course.steps if course else 0)
-        except BaseException:
-            with suppress(DriverError):  # a dead link must not hide what went wrong
-                self._arm.stop()
-            raise
+            return self._stopped(error, course, limits)
         return Outcome(ending.kind, ending.reason, course.steps, self._cycles, self._misses)
 
     def _drive(self, phase: Phase[Ending], course: Course, guard: Guard) -> Ending:
@@ -95,12 +102,26 @@ class Loop:
         stage = self._frame.from_base(state.pose)
         return Cycle(t, state, reading, wrench_to_task(self._mean(reading), stage.theta), stage)
 
-    def _stopped(self, error: Exception, steps: int) -> Outcome:
+    def _stopped(self, error: Exception, course: Course | None, limits: Limits) -> Outcome:
         standstill = come_to_rest(self._arm)
         danger = isinstance(error, GuardTrip) and error.trip is Trip.FORCE
         kind = Kind.DANGER if danger else Kind.FAULT
         reason = str(error) if isinstance(error, ControlError) else _named(error)
+        if danger and standstill and course is not None and course.way_back is not None:
+            reason = f"{reason}; {self._withdrawn(course, course.way_back, limits)}"
+        steps = course.steps if course else 0
         return Outcome(kind, reason, steps, self._cycles, self._misses, standstill)
+
+    def _withdrawn(self, course: Course, clear: Place, limits: Limits) -> str:
+        """Draw back under wide limits, and what came of it: the verdict on the job stands."""
+        try:
+            course.cycle = cycle = self._cycle()
+            course.setpoint = cycle.stage
+            guard = Guard(limits.leaving(cycle.wrench), self._arm.period)
+            return self._drive(withdraw(course, clear), course, guard).reason
+        except (ControlError, DriverError) as error:
+            come_to_rest(self._arm)
+            return f"not drawn back: {error}"
 
 
 def _named(error: Exception) -> str:

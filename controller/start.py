@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from controller.self_test import Load, self_test
 from drivers.errors import NotReadyError
 from drivers.interfaces import Arm, ArmState, ForceTorqueSensor
 
@@ -9,16 +10,21 @@ PATIENCE = 10.0
 """s of arm time for the sensor to boot, and again to be zeroed."""
 
 
-def bring_up(arm: Arm, sensor: ForceTorqueSensor, tare_samples: int = 1000) -> ArmState:
-    """Connect both, start the sensor, zero it in free air; leaves one command in flight.
+def bring_up(
+    arm: Arm, sensor: ForceTorqueSensor, tare_samples: int = 1000, *, load: Load | None = None
+) -> ArmState:
+    """Connect both, test the sensor, zero it in free air; leaves one command in flight.
 
-    The arm holds its pose meanwhile. Raises DriverError as the drivers do, and NotReadyError when
-    the sensor does not follow within the limit.
+    load: what hangs below the sensor, by which its axes are tested: the arm shakes the tool by a
+    millimetre, and holds its pose otherwise. None leaves them untested. Raises DriverError as the
+    drivers do, and NotReadyError when the sensor does not follow within the limit.
     """
     sensor.connect()
     arm.connect()
     sensor.start()
     _hold_until(arm, sensor, lambda: sensor.ready, "samples")
+    if load is not None:
+        self_test(arm, sensor, load)
     sensor.begin_tare(tare_samples)
     return _hold_until(arm, sensor, lambda: not sensor.tare_pending, "tare")
 

@@ -61,5 +61,9 @@ class SensorResetError(SensorError):
     """The node restarted: its tare is gone, so its readings mean something else."""
 
 
+class SensorAxesError(SensorError):
+    """The sensor's axes, signs or scale are not those that the arm moves along."""
+
+
 class CommandRefusedError(SensorError):
     """The node answered a command with an error code, or not at all."""

@@ -13,6 +13,7 @@ import numpy as np
 from controller.frames import TaskFrame
 from controller.guard import Limits
 from controller.place import Place
+from controller.self_test import Load
 from controller.settings import Insertion, Jam, Plan, Press, Search, Travel
 from drivers.interfaces import ForceTorqueSensor
 from drivers.ur.arm import Tap, UrArm, UrPorts
@@ -92,6 +93,11 @@ def limits(rig: Rig) -> Limits:
         sample_age=round(of.sample_age * NS),
         following=of.following,
     )
+
+
+def load(rig: Rig) -> Load:
+    """What hangs below the sensor."""
+    return Load(rig.tool.mass, rig.limits.mass_error)
 
 
 def part_named(rig: Rig, name: str) -> Part:

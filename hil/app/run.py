@@ -23,7 +23,7 @@ from hil.app.cell import CellReport, RunningCell
 from hil.app.host_faults import FullDisk, HostFaults, split
 from hil.app.inline import InlineCell
 from hil.app.learner_faults import FaultyPolicy
-from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
+from hil.app.near import NearSide, limits, load, near_side, part_named, start_plan, task_frame
 from hil.app.policy import policy
 from hil.app.process import CellProcess
 from hil.app.real import RealCell
@@ -122,7 +122,7 @@ def run(request: Request, watch: Watch) -> Result:
         if host is not None:
             chosen = FaultyPolicy(chosen, host)
             seen = partial(_attend, host, record, near, watch, cell)
-        bring_up(near.arm, near.sensor)
+        bring_up(near.arm, near.sensor, load=load(request.rig))
         drive = _Drive(near, plan, chosen, record, seen)
         outcome = Loop(near.arm, near.sensor, frame, observe=drive.observe).run(
             drive.job, limits(request.rig)

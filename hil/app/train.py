@@ -22,7 +22,7 @@ from controller.start import bring_up
 from hil.app.cell import RunningCell
 from hil.app.host_faults import HostFaults
 from hil.app.learner_faults import FaultyPolicy, Pieces
-from hil.app.near import NearSide, limits, near_side, part_named, start_plan, task_frame
+from hil.app.near import NearSide, limits, load, near_side, part_named, start_plan, task_frame
 from hil.app.record import RunRecord
 from hil.app.watched import watched
 from hil.cell.errors import CellError
@@ -207,5 +207,5 @@ def connected(  # noqa: PLR0917  faults are the seldom last
     """A trainer on a cell that is up, its drivers connected and closed with the stack."""
     tap = record.rtde if record else None
     near = stack.enter_context(near_side(rig, cell.doors, tap))
-    bring_up(near.arm, near.sensor)
+    bring_up(near.arm, near.sensor, load=load(rig))
     return Trainer(rig, near, cell, watch, record, faults)

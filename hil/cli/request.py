@@ -89,6 +89,7 @@ def plan_of(request: Request) -> dict[str, str | int | float | None]:
         "sensor": f"TCP {sensor}" if sensor else f"CAN {bus}, node {rig.sensor.node}",
         "part": f"{part.name} at ({_millimetres(part.position)}) mm",
         "connector": f"({_millimetres(rig.connector.position)}) mm",
+        "self test": "the tool is shaken by 2 mm where it hangs",
         "policy": request.policy,
         "force bound": f"{bound} (N, N, N, N·m)",
         "speed limit": f"{rig.limits.speed * 1e3:g} mm/s",

@@ -1,7 +1,7 @@
 """What a campaign's worker does once, so that its runs need not: see Plan.prepare."""
 
 from controller.start import bring_up
-from hil.app.near import near_side
+from hil.app.near import load, near_side
 from hil.app.run import Request, open_cell
 from hil.campaign.run import Run
 from hil.cell.rig import parse
@@ -15,4 +15,4 @@ def cell(run: Run) -> None:
     rig = parse(run.rig).on_free_ports()
     request = Request(rig, b"", run.seed, rig.first_part)
     with open_cell(request) as running, near_side(rig, running.doors) as near:
-        bring_up(near.arm, near.sensor)
+        bring_up(near.arm, near.sensor, load=load(rig))

@@ -19,7 +19,7 @@ from controller.start import bring_up
 from drivers.errors import DriverError
 from drivers.ur.arm import UrArm
 from drivers.ur.program import Command
-from hil.app.near import NearSide, limits, task_frame
+from hil.app.near import NearSide, limits, load, task_frame
 from hil.app.record import RunRecord
 from hil.app.watched import watched
 from hil.cell.rig import Rig
@@ -79,7 +79,7 @@ class Driver:
         """Everything from power-up to the arm at rest; raises nothing."""
         started = False
         try:
-            bring_up(near.arm, near.sensor)
+            bring_up(near.arm, near.sensor, load=load(self._rig))
             started = True
             return Driven(self._work(near, plan, policy), None, started, overtime=False)
         except Overtime:

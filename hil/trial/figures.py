@@ -15,7 +15,8 @@ class Figures:
     """Bench seconds from the fault's first effect; None for what did not happen.
 
     detection: until the near side, or the robot's program, gave up servoing. reaction: until the
-    robot had its first safe command, or had stopped by itself. stop: until it stood for good.
+    robot had its first safe command, or had stopped by itself. stop: until it stood for good, but
+    for drawing back.
     exposure: largest true |f| / f_b since. over: seconds of it above 1. phase: it became active in.
     recovery: until the job went on after a stop; None where it did not.
     """
@@ -69,6 +70,7 @@ def _first(t: np.ndarray, holds: np.ndarray, begin: float) -> float | None:
 def _stood(trace: Trace, since: slice, begin: float) -> float | None:
     """When the arm last moved; None where it still does at the end."""
     moving = (trace["speed"][since] > REST_SPEED) | (trace["turning"][since] > REST_TURN)
+    moving &= np.array([phase != "withdraw" for phase in trace.phases[since]])
     at = np.flatnonzero(moving)
     if not len(at):
         return 0.0

@@ -63,8 +63,11 @@ class Sampler:
 
     def command(self, sequence: int, read: int, *, stopping: bool) -> None:
         """The near side sent this command, knowing the package of controller time `read`, ns."""
+        withdrawing = self.running and self.noticed is not None and not stopping
+        if withdrawing:  # the job is over, and the arm draws back from what ended it
+            self.phase = "withdraw"
         self.stopping = stopping
-        self.running = self.running and not self.leaving
+        self.running = self.running and not (self.leaving or withdrawing)
         if self.running and stopping and self.noticed is None:
             self.noticed = read
         self._commands += 1

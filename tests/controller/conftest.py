@@ -29,11 +29,13 @@ class SpringWorld:
     """A stage with the arm's lag, a spring face at z = 0 and a slot in it, stepped at 1 ms.
 
     slot: x, y of the tip at which it falls in (m), None for a closed face. The slot's walls push
-    back with 5 N/mm, its floor is 2.5 mm deep.
+    back with 5 N/mm, its floor is 2.5 mm deep. mass: of the tool, which feels its inertia, kg.
     """
 
-    def __init__(self, stiffness=16.5e3, slot=None, part=None, at=(0.0, 0.0, 0.02, 0.0)):
+    def __init__(self, stiffness=16.5e3, slot=None, part=None, at=(0.0, 0.0, 0.02, 0.0), mass=0.0):
         self.stiffness = stiffness
+        self.mass = mass
+        self.acceleration = [0.0] * 3
         self.slot = slot
         self.part = part
         self.stage = list(at)
@@ -48,7 +50,10 @@ class SpringWorld:
         self._jaws(jaws_closed)
         wrenches = []
         for _ in range(duration // MS):
+            before = self.velocity[:3]
             self._lag(target)
+            pairs = zip(self.velocity, before, strict=False)
+            self.acceleration = [(after - v) / 1e-3 for after, v in pairs]
             wrenches.append(self._wrench())
         return wrenches
 
@@ -85,7 +90,8 @@ class SpringWorld:
         return 0.0, 0.0, -self.stiffness * z
 
     def _wrench(self):
-        fx, fy, fz = self._push()
+        pushes = zip(self._push(), self.acceleration, strict=True)
+        fx, fy, fz = (push - self.mass * a for push, a in pushes)
         theta = self.stage[3]
         c, s = cos(theta), sin(theta)
         pushed = (c * fx + s * fy, s * fx - c * fy, -fz, 0.0, 0.0, 0.0)
@@ -186,6 +192,7 @@ class FakeSensor:
         self._zero = (0.0,) * 6
         self._counter = 0
         self._tare_left = 0
+        self.axes = tuple  # what the sensor makes of a wrench
 
     def connect(self) -> None:
         pass
@@ -223,7 +230,7 @@ class FakeSensor:
         return WrenchReading(self._last, samples, self._counter, age, freshness, self.tares > 0)
 
     def _zeroed(self, wrench):
-        return tuple(a - b for a, b in zip(wrench, self._zero, strict=True))
+        return tuple(a - b for a, b in zip(self.axes(wrench), self._zero, strict=True))
 
     def begin_tare(self, samples: int) -> None:
         self.tares += 1

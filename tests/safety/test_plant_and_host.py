@@ -1,9 +1,10 @@
-"""R8, R9, P1, P2, H1 to H3: what cannot be noticed stays within the force bound; silence stops."""
+"""R8, R9, P1, P2, P4, H1 to H3: what cannot be noticed stays within the force bound."""
 
 import re
 import time
 
 from controller.guard import Guard
+from controller.loop import Loop
 from drivers.nrs.can_sensor import CanSensor
 from drivers.ur.program import ServoProgram
 from drivers.ur.sample import OUTPUTS
@@ -39,6 +40,19 @@ def test_a_stiffer_contact_is_felt_and_the_force_stays_bounded(law):
     law.holds(
         bounded, bound, "P2", {"stiffness": 6.0, "friction": 5.0}, at="phase: search", after=3
     )
+
+
+def staying(patch):
+    """Where the arm was stopped it stays."""
+    patch.setattr(Loop, "_withdrawn", lambda *_: "")
+
+
+def test_an_arm_that_meets_something_on_its_way_stops_and_draws_back(law):
+    def clear(trial):
+        met, force = trial.faults[0], trial.trace["force"]
+        return bounded(trial) and met.stop < 0.2 and met.exposure > 1.0 and force[-1] < 0.1
+
+    law.holds(clear, staying, "P4", at="phase: approach", after=10)
 
 
 def watchdog(patch):

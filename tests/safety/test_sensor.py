@@ -1,12 +1,14 @@
-"""S2, S3, S4, S6: what the near side makes of a sensor that fails."""
+"""S2 to S6: what the near side makes of a sensor that fails."""
 
 from functools import partial
 
 import pytest
 
+import controller.start
 import drivers.nrs.session
 from controller.guard import Guard
 from drivers.nrs.plausibility import Plausibility
+from hil.trial.verdict import Verdict
 
 SLOW = partial(pytest.param, marks=pytest.mark.campaign)
 
@@ -43,6 +45,19 @@ def flags(patch):
 
 def test_an_arm_whose_sensor_saturates_stops(law):
     law.holds(lambda trial: "OverloadError" in trial.reason, flags, "S4", at="contact")
+
+
+def self_test(patch):
+    """What the sensor says of a shaken tool is not asked."""
+    patch.setattr(controller.start, "self_test", lambda *_: None)
+
+
+@pytest.mark.parametrize("what", ["sign", SLOW("swap"), SLOW("scale")])
+def test_a_sensor_with_wrong_axes_is_refused_before_the_job(law, what):
+    def refused(trial):
+        return trial.verdict is Verdict.BLOCKED and "SensorAxesError" in trial.reason
+
+    law.holds(refused, self_test, "S5", {"what": what}, at="")
 
 
 @pytest.mark.parametrize("bit", ["overload", SLOW("supply")])

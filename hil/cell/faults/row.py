@@ -47,6 +47,7 @@ _OF_JOB: Final = {
     "draw out": Phase.INSERT,
     "release": Phase.INSERT,
     "retract": Phase.RETRACT,
+    "withdraw": Phase.RETRACT,
 }
 
 

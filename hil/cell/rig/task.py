@@ -22,6 +22,10 @@ class Limits(Section):
     sample_age: Seconds = Field(default=10e-3, gt=0)
     """W: the newest sample's age that is still controlled on. Ten samples; by then a descent at
     4 mm/s has gone 0.04 mm, 0.8 N at the pad's 20 kN/m."""
+    mass_error: float = Field(default=0.2, gt=0, lt=1)
+    """Share of tool.mass by which the mass that a shaken sensor feels may be off before a job. As
+    far off as a scale may be with the true force within f_b and `force_error`; gain and crosstalk
+    of a sound sensor come to a third of it."""
     drift: Newtons = Field(default=5.0, gt=0)
     """Largest force in free air that a zeroing before a contact takes away. Half the bound along z,
     which is as far as a sound sensor with a part in the jaws never comes."""
