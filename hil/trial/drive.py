@@ -11,7 +11,7 @@ from controller.action import Policy
 from controller.course import Course, Phase
 from controller.cycle import Cycle
 from controller.job import assembly
-from controller.loop import Loop
+from controller.loop import Job, Loop
 from controller.outcome import Ending, Outcome
 from controller.place import Place
 from controller.settings import Plan
@@ -93,12 +93,16 @@ class Driver:
             self._leave(near)
             self._sampler.running = False
 
-    def _work(self, near: NearSide, plan: Plan, policy: Policy) -> Outcome:
+    def piece(self, near: NearSide, job: Job) -> Outcome:
+        """One job, or a piece of one, by the rig's limits; raises what is not the arm's fault."""
         loop = Loop(near.arm, near.sensor, task_frame(self._rig), observe=self._observe)
-        job = partial(assembly, plan=plan, sensor=near.sensor, gripper=near.gripper, policy=policy)
         return loop.run(
             lambda course: self._sampled(course, job(course), near.arm), limits(self._rig)
         )
+
+    def _work(self, near: NearSide, plan: Plan, policy: Policy) -> Outcome:
+        job = partial(assembly, plan=plan, sensor=near.sensor, gripper=near.gripper, policy=policy)
+        return self.piece(near, job)
 
     def _sampled(self, course: Course, job: Phase[Ending], arm: UrArm) -> Phase[Ending]:
         """The job, each cycle sampled before its command lets the cell move on.
