@@ -7,56 +7,41 @@ import typer
 
 from hil.cli import campaign
 from hil.cli.errors import FAILED
+from hil.cli.force_options import (
+    Approach,
+    Bottoming,
+    Contact,
+    Force,
+    Ground,
+    Latencies,
+    Laws,
+    On,
+    Preset,
+    Push,
+    Rates,
+    Slide,
+    Stiffnesses,
+    TrackedForce,
+    Workers,
+    contact_of,
+    grid_of,
+    rigs_of,
+)
 from hil.cli.options import Json
 
 if TYPE_CHECKING:
     from hil.campaign.plan import Plan
     from hil.campaign.run import Outcome
-    from hil.cell.rig import Rig
-    from hil.experiments.force_tracking.grid import Grid
-
-LAWS = "constant,duan,paper,soft"
-Laws = Annotated[
-    list[str] | None,
-    typer.Option("--law", help="constant, duan, paper, soft or package.module:Class; with commas."),
-]
-Stiffnesses = Annotated[str, typer.Option("--stiffness", help="k_e, N/mm; with commas.")]
-Latencies = Annotated[str, typer.Option("--latency", help="Of both wires together, ms.")]
-Rates = Annotated[str, typer.Option("--rate", help="Control rates, Hz: 125, 500 or both.")]
-Force = Annotated[float, typer.Option(help="f_d, N.")]
-Approach = Annotated[
-    float | None,
-    typer.Option(
-        help="Speed down to the surface, mm/s; 0.5 a newton of f_d unless given, 4 at most."
-    ),
-]
-Push = Annotated[
-    float | None,
-    typer.Option(
-        help="Fastest inward speed in contact, mm/s; 16 unless given, --approach with --bottoming."
-    ),
-]
-Slide = Annotated[
-    float | None,
-    typer.Option(
-        help="Speed along the surface, mm/s, 0 to hold still; 20 unless given, 0 with --bottoming."
-    ),
-]
-Bottoming = Annotated[
-    str,
-    typer.Option(help="Push (N) and stiffness (N/mm) at which the surface turns stiff: 3,50."),
-]
-Preset = Annotated[str, typer.Option(help="Parameters of the laws: tuned, printed, or a file.")]
-Workers = Annotated[int, typer.Option(min=1, help="Runs at a time.")]
 
 
 def force_tracking(
     *,
     law: Laws = None,
-    stiffness: Stiffnesses = "1,3,10,30,100",
+    on: On = Ground.SURFACE,
+    stiffness: Stiffnesses = None,
     latency: Latencies = "6,10",
     rate: Rates = "125",
-    force: Force = 10.0,
+    force: TrackedForce = None,
     approach: Approach = None,
     push: Push = None,
     slide: Slide = None,
@@ -72,7 +57,9 @@ def force_tracking(
         Path | None,
         typer.Option(help="Folder for rows.json, report.md, the figure and recordings."),
     ] = None,
-    figure_stiffness: Annotated[float, typer.Option(help="k_e of the figure, N/mm.")] = 3.0,
+    figure_stiffness: Annotated[
+        float, typer.Option(help="k_e of the figure, N/mm; of a surface.")
+    ] = 3.0,
     json: Json = False,
 ) -> int:
     """The paper's experiment on a curved surface, all laws, over the wire, by the true force."""
@@ -81,8 +68,10 @@ def force_tracking(
     from hil.experiments.force_tracking.table import as_text  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
-    grid = _grid(law, stiffness, latency, preset, (force, approach, push, slide), bottoming)
-    texts = {number: text for number, (_, text) in _rigs(rate).items()}
+    rigs = rigs_of(rate, on)
+    contact = contact_of(on, stiffness, bottoming, rigs)
+    grid = grid_of(law, contact, latency, preset, (force, approach, push, slide))
+    texts = {number: text for number, (_, text) in rigs.items()}
     numbers = range(seed, seed + seeds)
 
     def conduct(plan: "Plan") -> "list[Outcome]":
@@ -94,6 +83,8 @@ def force_tracking(
     rows = experiment.table(list(texts), grid, numbers, outcomes)
     typer.echo(tables.as_json({"rows": rows}) if json else as_text(rows), nl=False)
     if out is not None:
+        if grid.cable:
+            figure_stiffness = grid.stiffnesses[0]
         drawn = experiment.figure_plan(next(iter(texts.values())), grid, figure_stiffness, seed)
         courses = experiment.courses(grid, conduct(drawn))
         write(out, grid, rows, courses, figure_stiffness)
@@ -120,11 +111,11 @@ def stability_map(
     from hil.experiments import stability_map as experiment  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
-    grid = _grid(
-        law, ",".join(map(str, experiment.STIFFNESSES)), ",".join(map(str, experiment.LATENCIES)),
-        preset, (force, None, None, None), "0,50",
+    grid = grid_of(
+        law, Contact(Ground.SURFACE, ",".join(map(str, experiment.STIFFNESSES))),
+        ",".join(map(str, experiment.LATENCIES)), preset, (force, None, None, None),
     )  # fmt: skip
-    rigs = {number: rig for number, (rig, _) in _rigs(rate).items()}
+    rigs = {number: rig for number, (rig, _) in rigs_of(rate, Ground.SURFACE).items()}
     _writable(figure)
     cells = list(experiment.stability_map(rigs, grid, range(seed, seed + seeds), workers))
     experiment.draw(cells, figure)
@@ -135,55 +126,6 @@ def stability_map(
     else:
         typer.echo(f"{len(cells)} cells in {figure}; over the wire {agreeing} of {checks} agree")
     return 0 if agreeing == len(checked) else FAILED
-
-
-def _grid(
-    law: list[str] | None,
-    stiffness: str,
-    latency: str,
-    preset: str,
-    motion: tuple[float, float | None, float | None, float | None],
-    bottoming: str,
-) -> "Grid":
-    from hil.experiments.force_tracking.grid import Grid, speeds  # noqa: PLC0415
-
-    laws = tuple(name for entry in law or [LAWS] for name in entry.split(",") if name)
-    limit = _numbers("--bottoming", bottoming)
-    if len(limit) != 2:
-        raise typer.BadParameter(f"--bottoming takes a force and a stiffness, found '{bottoming}'")
-    force, *chosen = motion
-    try:
-        return Grid(
-            laws,
-            _numbers("--stiffness", stiffness),
-            _numbers("--latency", latency),
-            force,
-            *speeds(force, limit[0] > 0.0, *chosen),
-            bottoming=(limit[0], limit[1]),
-            preset=preset,
-        )
-    except (ValueError, TypeError) as error:
-        raise typer.BadParameter(str(error)) from None
-
-
-def _rigs(rate: str) -> "dict[int, tuple[Rig, str]]":
-    """By control rate: the shipped rig and its text."""
-    from hil.cli.shipped import read  # noqa: PLC0415
-    from hil.experiments.force_tracking.grid import RIGS  # noqa: PLC0415
-
-    rates = _numbers("--rate", rate)
-    for value in rates:
-        if value not in RIGS:
-            raise typer.BadParameter(f"--rate: {value:g} Hz; there are 125 (UR5) and 500 (UR5e)")
-    found = {int(value): read(RIGS[int(value)]) for value in rates}
-    return {number: (rig, content.decode()) for number, (rig, content) in found.items()}
-
-
-def _numbers(option: str, text: str) -> tuple[float, ...]:
-    try:
-        return tuple(float(part) for part in text.split(",") if part.strip())
-    except ValueError:
-        raise typer.BadParameter(f"{option} takes numbers with commas, found '{text}'") from None
 
 
 def _writable(path: Path) -> None:

@@ -31,7 +31,7 @@ def build(work: Path) -> Path:
     if suite.exists():
         return suite
     work.mkdir(parents=True, exist_ok=True)
-    _run(work, sys.executable, "-m", "pip", "download", "--no-deps", "--no-binary", ":all:",
+    _run(work, sys.executable, "-m", "pip", "download", "--no-deps", "--no-binary", "ur_rtde",
          RELEASE.replace("-", "=="))  # fmt: skip
     _run(work, "tar", "xf", f"{RELEASE}.tar.gz")
     _run(work, "cmake", "-S", RELEASE, "-B", "library", "-DPYTHON_BINDINGS=OFF", "-DEXAMPLES=OFF",

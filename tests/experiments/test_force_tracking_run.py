@@ -84,7 +84,24 @@ def test_a_cable_that_bottoms_out_is_pressed_below_8_newton(rig):
     assert not found.unstable
 
 
-@pytest.mark.parametrize("name", ["tuned", "printed"])
+def test_soft_presses_the_papers_cable_on_its_connector_with_5_newton():
+    grid = Grid(laws=("soft",), stiffnesses=(20.0,), force=5.0, approach=2.5, push=2.5, slide=0.0,
+                cable=True)  # fmt: skip
+    found, ending = run(shipped("ffc_ur5"), 1, grid.variant("soft", 20.0, 10.0).as_json())
+    assert ending == "done: tracked to the end"
+    assert not found["unstable"]
+    assert found["overshoot"] < 0.08
+    assert found["settling"] < 0.3
+    assert found["rms_static"] < 0.02 * 5.0, "the sensor's gain errs by 1 %"
+
+
+@pytest.mark.parametrize("wrong", [{"slide": 20.0}, {"slide": 0.0, "bottoming": (3.0, 50.0)}])
+def test_a_cable_neither_slides_nor_is_told_to_bottom_out(wrong):
+    with pytest.raises(ValueError, match="a cable is pressed at rest"):
+        Grid(cable=True, **wrong)
+
+
+@pytest.mark.parametrize("name", ["tuned", "ordered", "printed"])
 def test_every_shipped_preset_fits_its_laws(name):
     for law in preset(name):
         parameters(name, law)

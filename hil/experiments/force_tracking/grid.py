@@ -10,6 +10,8 @@ from hil.experiments.force_tracking.variant import Variant, axis_of
 
 RIGS = {125: "surface_ur5", 500: "surface_ur5e"}
 """The shipped rig of each control rate, Hz."""
+CABLE_RIGS = {125: "ffc_ur5", 500: "ffc_ur5e"}
+"""The same for a cable on its connector."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +30,7 @@ class Grid:
     slide: float = 20.0
     bottoming: tuple[float, float] = (0.0, 50.0)
     preset: str = TUNED
+    cable: bool = False
 
     def __post_init__(self) -> None:
         """Raises ValueError for what no cell could be built from, before anything moves."""
@@ -48,6 +51,10 @@ class Grid:
         _positive("push in mm/s", self.push)
         if not (isfinite(self.slide) and self.slide >= 0.0):
             raise ValueError(f"slide is 0 mm/s or more, found {self.slide}")
+        if self.cable and (self.slide or self.bottoming[0]):
+            raise ValueError(
+                "a cable is pressed at rest, and bottoms out by itself: slide 0, no bottoming"
+            )
         for variant in self.variants():
             axis_of(variant, 8_000_000)
 
@@ -73,6 +80,7 @@ class Grid:
             slide=self.slide * 1e-3,
             bottoming_force=self.bottoming[0],
             bottoming_stiffness=self.bottoming[1] * 1e3,
+            cable=self.cable,
         )
 
 
@@ -85,19 +93,19 @@ class Speeds(NamedTuple):
 
 
 def speeds(
-    force: float, bottoms: bool, approach: float | None, push: float | None, slide: float | None
+    force: float, still: bool, approach: float | None, push: float | None, slide: float | None
 ) -> Speeds:
     """What was chosen, and for the rest what suits the job.
 
     A first blow is k v theta, so the approach goes with f_d (N), up to 4 mm/s. Where the surface
-    bottoms out under the tool, any push is a first blow: it is as slow as the approach, on a
-    surface at rest.
+    bottoms out under the tool, or a cable may buckle, any push is a first blow: it is as slow as
+    the approach, and the tool keeps `still`.
     """
     down = min(4.0, 0.5 * force) if approach is None else approach
     if push is None:
-        push = down if bottoms else 16.0
+        push = down if still else 16.0
     if slide is None:
-        slide = 0.0 if bottoms else 20.0
+        slide = 0.0 if still else 20.0
     return Speeds(down, push, slide)
 
 

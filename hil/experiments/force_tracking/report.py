@@ -38,9 +38,23 @@ CLAIMS = (
 )
 
 
+CABLE = """# Force laws on the paper's cable, pressed on its connector
+
+f_d = {force:g} N, {runs} runs a row, each with a cable and friction of its own, parameters
+`{preset}`. k_e is the stiffness of the jaws' pad, the softest thing behind the cable. Static error
+holds what the rig's sensor errs by: its gain alone is 1 %.
+
+{table}
+"""
+
+
 def page(grid: Grid, rows: Sequence[Series]) -> str:
     """The report in Markdown."""
     runs = rows[0].runs if rows else 0
+    if grid.cable:
+        table = as_text(rows)
+        head = CABLE.format(force=grid.force, runs=runs, preset=grid.preset, table=table)
+        return head + _stability(rows) + "\n"
     head = INTRODUCTION.format(force=grid.force, runs=runs, preset=grid.preset, table=as_text(rows))
     return "\n".join([head, _claims(rows), _stability(rows), _ratios(grid, rows)])
 

@@ -10,10 +10,11 @@ from controller.cycle import Cycle
 from controller.loop import Loop
 from controller.outcome import Ending, Kind, Outcome
 from controller.place import Place
+from controller.pressed import Held, pressed
 from controller.start import bring_up
 from controller.track import tracking
 from hil.app.inline import InlineCell
-from hil.app.near import limits, near_side, task_frame
+from hil.app.near import limits, near_side, plan, task_frame
 from hil.app.record import RunRecord, identity
 from hil.app.watched import Look, watched
 from hil.campaign.run import Json
@@ -24,6 +25,8 @@ from hil.experiments.force_tracking.variant import Variant, axis_of, job_of, rig
 from hil.recording.identity import Identity
 from hil.recording.recorder import Recorder
 
+BESIDE = (4, 4, 0)
+"""Steps off the slot, where a cable meets the face."""
 SHOWN = 8
 """ms between two points of a kept time course."""
 
@@ -57,8 +60,15 @@ def track(rig: Rig, seed: int, variant: Variant, text: bytes = b"") -> tuple[Tra
         record = RunRecord(recorder, cell, frame, rig.robot.period) if recorder else None
         near = stack.enter_context(near_side(rig, cell.doors, record.rtde if record else None))
         bring_up(near.arm, near.sensor)
+        whole = plan(rig, rig.fixture.parts[0], BESIDE) if variant.cable else None
+
+        def perform(course: Course) -> Phase[Ending]:
+            if whole is None:
+                return tracking(course, axis, job)
+            return pressed(course, axis, job, Held(whole, near.gripper))
+
         drive = _Drive(
-            lambda course: tracking(course, axis, job),
+            perform,
             lambda cycle, course: tracer.watch(cycle, course, cell),
             record,
         )

@@ -21,7 +21,8 @@ class Variant:
     bottoming_force: push (N) at which the surface turns as stiff as `bottoming_stiffness` (N/m).
     approach, push: inward speeds in free air and in contact, m/s. slide: along the surface after
     the hold, m/s; 0 ends the run with the hold. parameters: of the law.
-    nominal: the rig's own surface instead of a drawn one. trace: keep the time courses.
+    cable: press a gripped cable on the connector's face; `stiffness` is then but a name.
+    nominal: the rig's own surface, or cable, instead of a drawn one. trace: keep the time courses.
     recording: folder for the run's recording, "" for none.
     """
 
@@ -35,6 +36,7 @@ class Variant:
     slide: float = 20e-3
     bottoming_force: float = 0.0
     bottoming_stiffness: float = 50e3
+    cable: bool = False
     nominal: bool = False
     trace: bool = False
     recording: str = ""
@@ -63,11 +65,10 @@ def rig_of(rig: Rig, variant: Variant) -> Rig:
     can = latency.can.model_copy(
         update={"from_cell": with_mean(latency.can.from_cell, variant.latency / 2)}
     )
+    drawn = (rig.randomisation.enabled or variant.cable) and not variant.nominal
     return rig.model_copy(
         update={
-            "randomisation": rig.randomisation.model_copy(
-                update={"enabled": rig.randomisation.enabled and not variant.nominal}
-            ),
+            "randomisation": rig.randomisation.model_copy(update={"enabled": drawn}),
             "surface": rig.surface.model_copy(update=surface),
             "latency": latency.model_copy(update={"rtde": rtde, "can": can}),
         }
