@@ -53,9 +53,12 @@ class Agents:
         return {"places": self.places.copy(), "steps": self.steps.copy()}
 
     def load(self, state: State) -> None:
-        """Take up saved agents; CheckpointError when their number differs."""
+        """Take up saved agents, of whom some may be gone; CheckpointError for too many."""
+        found = state.get("steps")
+        left = len(found) if isinstance(found, np.ndarray) and found.ndim else len(self.steps)
+        self.places, self.steps = self.places[:left].copy(), self.steps[:left].copy()
         restore("places", self.places, state.get("places"))
-        restore("steps", self.steps, state.get("steps"))
+        restore("steps", self.steps, found)
 
 
 @njit(cache=True)

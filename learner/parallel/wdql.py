@@ -133,13 +133,16 @@ class ParallelLearner:
             "outcomes": self.outcomes.save(),
             "agents": self.agents.save(),
             "classes": self.classes.copy(),
+            "told": self._told,
+            "matches": int(self._matches),
         }
 
     def load(self, state: State) -> None:
         """Take up a saved learner; CheckpointError for one of another kind or size."""
         take_up(self.pool, part(state, "pool"))
         self.outcomes.load(part(state, "outcomes"))
-        self._told = self.outcomes.total
+        self._told = number(state, "told", self.outcomes.total)
+        self._matches = bool(number(state, "matches", 1))
         self.agents.load(part(state, "agents"))
         restore("classes", self.classes, state.get("classes"))
 
@@ -149,4 +152,12 @@ def part(state: State, name: str) -> State:
     found = state.get(name)
     if not isinstance(found, Mapping):
         raise CheckpointError(f"no '{name}' in it: not a parallel learner's")
+    return found
+
+
+def number(state: State, name: str, otherwise: int) -> int:
+    """A saved count; checkpoints from before it was kept have none."""
+    found = state.get(name, otherwise)
+    if not isinstance(found, int):
+        raise CheckpointError(f"'{name}' is {found!r}, expected a whole number")
     return found

@@ -8,11 +8,19 @@ import sys
 
 import pytest
 
+from hil.app.sessions import Training, train
+from hil.app.train import Schedule
+from hil.cell.faults.parse import parse
 from hil.cli.main import call
+from hil_fixtures.testbed import shipped
 from learner import checkpoint
 
 SMALL = ("--learner", "belief", "--episodes", "3", "--verify", "1", "--every", "1", "--seed", "4")
 COMMAND = "import sys; from hil.cli.main import main; sys.argv[0] = 'hil'; main()"
+
+
+def ignore(*_):
+    """Watches nothing."""
 
 
 @pytest.fixture(scope="module")
@@ -79,6 +87,24 @@ def test_a_training_under_faults_says_what_became_of_them_and_which_episodes_the
     assert "L3 [1] active: agent 2 of 6 is gone" in said
     assert "L4 [2] active: the server judges by linear, the learner by last-label" in said
     assert re.search(r"^ +1  FFC1 .* refused evaluations: [1-9]", said, re.MULTILINE)
+
+
+def test_a_training_that_lost_an_agent_goes_on_to_the_same_bits(tmp_path):
+    rig = shipped("ffc_learning")
+    rig = rig.model_copy(update={"task": rig.task.model_copy(update={"max_steps": 5})})
+    faults = parse("faults: [{kind: L3, trigger: {event: 'phase: search'}}]")
+    one = Training(rig, b"", "wdql", 4, Schedule((("FFC1", 2),)), 1, faults)
+    whole, broken = tmp_path / "whole.hil", tmp_path / "broken.hil"
+    list(train(one, whole, ignore, resume=False))
+    session = train(one, broken, ignore, resume=False)
+    next(session)
+    next(session)  # the first session's checkpoint is written, the second one's is not
+    session.close()
+    kept = checkpoint.read(broken)
+    assert kept.episodes == 1
+    assert len(kept.state["learner"]["agents"]["steps"]) == 5
+    list(train(one, broken, ignore, resume=True))
+    assert whole.read_bytes() == broken.read_bytes()
 
 
 def test_a_learner_without_agents_has_none_to_lose_and_nothing_is_begun(broken, capsys):

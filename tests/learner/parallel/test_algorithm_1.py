@@ -8,9 +8,11 @@ from controller.outcome import Kind
 from learner.errors import CheckpointError
 from learner.grid import Cell, Grid
 from learner.interface import Transition
+from learner.parallel.agents import Agents
 from learner.parallel.outcomes import DANGER, SUCCESS, Outcomes
 from learner.parallel.server import Model, evaluate
 from learner.parallel.wdql import Parallel, ParallelLearner
+from learner.tabular.alone import rows
 from learner.tabular.settings import Tabular
 
 GRID = Grid((3, 3, 2), (0.3e-3, 0.3e-3, 0.0175))
@@ -95,6 +97,44 @@ def test_a_restored_learner_goes_on_as_if_there_had_been_no_break():
     revived.load(broken.save())
     assert [episode(whole) for _ in range(3)] == [episode(revived) for _ in range(3)]
     assert np.array_equal(whole.pool.q2, revived.pool.q2)
+
+
+def test_a_learner_that_lost_an_agent_goes_on_without_it_after_a_break():
+    whole, broken = make(seed=2), make(seed=2)
+    for learner in (whole, broken):
+        episode(learner)
+        agents = learner.agents
+        learner.agents = Agents(agents.places[1:].copy(), agents.steps[1:].copy(), agents.start)
+        episode(learner)
+    revived = make(seed=99)
+    revived.load(broken.save())
+    assert len(revived.agents.steps) == 5
+    assert [episode(whole) for _ in range(3)] == [episode(revived) for _ in range(3)]
+    assert np.array_equal(whole.pool.q2, revived.pool.q2)
+
+
+def test_a_learner_with_more_agents_than_this_one_has_is_refused():
+    with pytest.raises(CheckpointError):
+        make(agents=5).load(make(agents=6).save())
+
+
+def test_a_server_that_judged_by_another_model_is_still_not_learnt_from_after_a_break():
+    learner = practised(model=Model.QUADRATIC)
+    learner.server.model = Model.LINEAR
+    learner.take_in(rows(GRID, Transition(seen(GOAL), Action.PLUS_X, seen(GOAL), 2, Kind.LIMIT)))
+    revived = make(model=Model.QUADRATIC)
+    revived.load(learner.save())
+    assert not learner.simulate(1)
+    assert not revived.simulate(1)
+
+
+def test_a_server_that_restarted_before_a_break_is_noticed_after_it():
+    learner = practised()
+    learner.server.restart()
+    revived = make()
+    revived.load(learner.save())
+    step(revived)
+    assert revived.restarts == 1
 
 
 def test_a_learner_of_another_box_is_refused():
