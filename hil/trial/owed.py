@@ -10,7 +10,10 @@ Events = Callable[[], Sequence[FaultEvent]]
 
 
 class Owed:
-    """Follows the logs of one run. A fault of one moment is owed a stop until the run's end."""
+    """Follows the logs of one run. A fault of one moment is owed a stop until the run's end.
+
+    Not one that was over before the job began: bringing the arm up is setting right what it finds.
+    """
 
     def __init__(self, faults: Numbered, fmea: Mapping[str, Entry], *logs: Events) -> None:
         self._stops = {index for index, fault in faults if fmea[fault.kind].stops(fault)}
@@ -18,17 +21,17 @@ class Owed:
         self._logs = [(log, 0) for log in logs]
         self._active: set[int] = set()
 
-    def __call__(self) -> tuple[int, bool]:
-        """Faults in force, and whether a stop is owed."""
+    def __call__(self, running: bool) -> tuple[int, bool]:
+        """Faults in force, and whether a stop is owed; running: a job is under way."""
         for at, (log, seen) in enumerate(self._logs):
             events = log()
             for event in events[seen:]:
-                self._hear(event)
+                self._hear(event, running)
             self._logs[at] = log, len(events)
         return len(self._active), not self._active.isdisjoint(self._stops)
 
-    def _hear(self, event: FaultEvent) -> None:
+    def _hear(self, event: FaultEvent, running: bool) -> None:
         if event.stage is Stage.ACTIVE:
             self._active.add(event.index)
-        elif event.stage is Stage.CLEARED and event.index not in self._moments:
+        elif event.stage is Stage.CLEARED and not (running and event.index in self._moments):
             self._active.discard(event.index)

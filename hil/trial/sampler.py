@@ -27,11 +27,11 @@ _SAFE: Final = (SafetyMode.NORMAL, SafetyMode.REDUCED)
 REMEMBERED: Final = 4096
 """Commands whose time of reading is known: 8 s of them at 500 Hz."""
 
-Forces = Callable[[], tuple[int, bool]]
+Forces = Callable[[bool], tuple[int, bool]]
 """How many faults are in force, and whether one of them has to stop the arm."""
 
 
-def no_faults() -> tuple[int, bool]:
+def no_faults(_running: bool) -> tuple[int, bool]:
     return 0, False
 
 
@@ -85,7 +85,7 @@ class Sampler:
         if bench is None:
             return
         force = self._push.take(tick.truth)
-        faults, owed = self.faults()
+        faults, owed = self.faults(self.running)
         (vx, vy, vz, turning), part = tick.truth.velocity, tick.truth.part
         row = (
             tick.t * 1e-9,

@@ -52,9 +52,9 @@ def test_a_stop_is_owed_for_the_parameters_that_the_file_says():
     assert not load()["C6"].stops(Fault("C6", {"state": "warning"}))
 
 
-def owed(kind, *events):
+def owed(kind, *events, running=True):
     log = list(events)
-    return Owed(((0, Fault(kind)),), load(), lambda: log)()
+    return Owed(((0, Fault(kind)),), load(), lambda: log)(running)
 
 
 def event(stage, kind, t=0):
@@ -102,3 +102,9 @@ def test_an_arm_that_moves_to_the_end_has_no_stop():
     columns["stopping"][5:] = 1.0
     (found,) = figures(Trace(columns, ("x",) * 10), [event(Stage.ACTIVE, "C1")], None)
     assert found.stop is None
+
+
+def test_a_fault_of_one_moment_that_was_over_before_the_job_began_is_owed_no_stop():
+    over = event(Stage.ACTIVE, "C7"), event(Stage.CLEARED, "C7")
+    assert owed("C7", *over, running=False) == (0, False)
+    assert owed("C7", *over[:1], running=False) == (1, True)
