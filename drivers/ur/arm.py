@@ -8,7 +8,7 @@ cell in lockstep advances one period for each command.
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from math import isfinite
+from math import hypot, isfinite
 from types import TracebackType
 from typing import Final, Self, TypeAlias
 
@@ -30,6 +30,8 @@ _NEVER: Final = -1  # before any controller time
 REPLAY: Final = NS // 2
 """A package older than the last one by up to so many ns is late or repeated, and discarded; one
 older still comes from a clock that began anew."""
+STANDING: Final = 1e-3
+"""m/s below which an arm has done with braking."""
 _NOWHERE: Final[Vector6] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -54,6 +56,7 @@ class UrArm:
 
     rate: Hz that the caller was built for, checked against the controller's; None takes that.
     tries: attempts at an RTDE link that is refused or cut, before anything moves.
+    unanswered: controller s for which the program may leave commands unanswered.
     tap: hears every data package that is sent or read.
     """
 
@@ -66,6 +69,7 @@ class UrArm:
         rate: int | None = None,
         limit: float = 5.0,
         tries: int = 3,
+        unanswered: float = 0.3,
         tap: Tap | None = None,
     ) -> None:
         self._rtde = RtdeConnection(host, ports.rtde, OUTPUTS, INPUTS, limit)
@@ -75,6 +79,9 @@ class UrArm:
         self._expected_rate = rate
         self._rate = rate
         self._tries = tries
+        self._unanswered = round(unanswered * NS)
+        self._echo, self._answered = _NEVER, _NEVER  # newest echo, and when it came, ns
+        self._braking = False  # the program hears nothing meanwhile
         self._tap = tap
         self._sequence = 0
         self._awaited = False  # a command is out whose package has not been read
@@ -128,12 +135,14 @@ class UrArm:
     def read(self) -> ArmState:
         """Block for the next package and return the newest one.
 
-        Raises LinkError, LinkTimeoutError, ProtectiveStopError, RobotStateError.
+        Raises LinkError, LinkTimeoutError, ProtectiveStopError, RobotStateError; LinkError also for
+        a robot that no longer answers commands, which the dashboard is asked to stop.
         """
         sample = self._receive()
         if not sample.follows:
             self._set_point = None
             raise self._explained(sample)
+        self._mind_echo(sample)
         return sample.state(self._t)
 
     def servo(self, pose: Vector6) -> Vector6:
@@ -216,6 +225,8 @@ class UrArm:
             self._tap(max(self._t, 0), True, package)
         self._rtde.put(package)
         self._awaited = True
+        if command is not Command.HOLD:
+            self._braking = command is Command.STOP
 
     def _receive(self) -> Sample:
         """The newest package, if it is newer than the last one; else the next that is.
@@ -242,6 +253,24 @@ class UrArm:
         newest = max(range(len(times)), key=times.__getitem__)
         self.discarded += sum(t <= self._t for t in times)
         return times[newest], samples[newest], self._rtde.received[newest]
+
+    def _mind_echo(self, sample: Sample) -> None:
+        """LinkError once the program no longer answers, though its states still come.
+
+        Its own watchdog stops the arm then. The dashboard, another link, is asked to do it as well.
+        """
+        self._braking = self._braking and hypot(*sample.twist[:3]) > STANDING
+        if sample.echo != self._echo or self._braking:
+            self._echo, self._answered = sample.echo, self._t
+        if self._t - self._answered <= self._unanswered:
+            return
+        self._set_point = None
+        with suppress(DriverError):
+            self._dashboard.stop()
+        raise LinkError(
+            f"the robot has answered no command for {self._unanswered / NS:g} s, though its states "
+            "arrive: commands are lost on their way, or somebody else's are obeyed"
+        )
 
     def _explained(self, sample: Sample) -> DriverError:
         """The fault, with what the controller last said as notes."""

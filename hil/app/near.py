@@ -58,6 +58,7 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None, limit: float = LIMIT
         rate=rig.robot.rate,
         limit=limit,
         tries=rig.limits.connect_tries,
+        unanswered=rig.limits.unanswered,
         tap=tap,
     )
     jaws = rig.robot.jaws

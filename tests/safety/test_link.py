@@ -7,6 +7,7 @@ import pytest
 
 import drivers.ur.rtde_client as rtde_client
 from drivers.protocol.rtde import Cutter, Package
+from drivers.ur.arm import UrArm
 from drivers.ur.program import ServoProgram
 from hil.trial.verdict import Verdict
 
@@ -38,6 +39,23 @@ def test_an_arm_on_a_stalled_link_stops_by_itself(law, direction):
 @pytest.mark.parametrize("direction", ["to_cell", SLOW("from_cell")])
 def test_an_arm_on_a_half_open_link_stops_by_itself(law, direction):
     law.holds(ended, watchdog, "T4", {"direction": direction}, cycles=60)
+
+
+def believing(patch):
+    """That states arrive is enough: nobody looks at what they echo."""
+    patch.setattr(UrArm, "_mind_echo", lambda self, sample: None)
+
+
+@pytest.mark.parametrize("kind", ["T4", SLOW("T12")])
+def test_a_host_notices_that_its_commands_do_not_arrive_without_the_robots_help(
+    law, monkeypatch, kind
+):
+    def noticed(trial):
+        owed = trial.faults[0].detection
+        return "answered no command for 0.15 s" in trial.reason and owed and owed < 0.2
+
+    watchdog(monkeypatch)
+    law.holds(noticed, believing, kind, at="phase: search", after=3, cycles=60)
 
 
 @pytest.mark.parametrize("how", ["rst", SLOW("fin")])

@@ -30,9 +30,11 @@ class TinyRobot:
         self.period = 0.008
         self.robot_mode, self.safety_mode, self.runtime_state = 3, 1, 1
         self.pose = (0.4, -0.1, 0.2, 0.0, 3.1, 0.0)
+        self.twist = (0.0,) * 6
         self.echo, self.program, self.cycle = 57, 2, 900  # left behind by an earlier program
         self.starts_programs = True
         self.silent = False
+        self.deaf = False  # its program goes on, and no command reaches it
         self.extra = b""  # sent before each data package
         self.after = lambda: b""  # what is sent after it
         self.turns_away = 0  # how many RTDE clients it closes the door on
@@ -47,7 +49,7 @@ class TinyRobot:
         command, sequence = values[0], values[1]
         self.t += self.period
         self.robot_mode = {4: 5, 6: 7}.get(self.robot_mode, self.robot_mode)
-        if self.runtime_state == 2:
+        if self.runtime_state == 2 and not self.deaf:
             self.echo, self.program = sequence, 2 if command == 1 else 1
             self.cycle += 1
             if command == 3:
@@ -58,7 +60,7 @@ class TinyRobot:
     def values(self):
         zero = (0.0,) * 6
         return (
-            *(self.t, zero, self.pose, self.pose, zero),
+            *(self.t, zero, self.pose, self.pose, self.twist),
             *(self.robot_mode, self.safety_mode, self.runtime_state, 0b100, 0),
             *(self.echo, self.program, self.cycle),
         )

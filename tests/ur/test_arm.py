@@ -140,6 +140,38 @@ def test_hold_without_a_set_point_stands_at_the_actual_pose(connected, robot):
     assert robot.commands[-1][0] == Command.HOLD
 
 
+def unheard(robot):
+    """From here on commands let time pass, and nothing answers them."""
+    robot.deaf = True
+
+
+def exchanges(arm, count, command):
+    for _ in range(count):
+        command()
+        arm.read()
+
+
+def test_an_arm_that_no_longer_answers_is_noticed_and_stopped_over_the_dashboard(connected, robot):
+    exchanges(connected, 5, connected.hold)
+    unheard(robot)
+    exchanges(connected, 37, connected.hold)  # 0.3 s of controller time, the default
+    with pytest.raises(LinkError, match=r"answered no command for 0\.3 s"):
+        exchanges(connected, 1, connected.hold)
+    assert robot.dashboard_lines[-1] == "stop"
+
+
+def test_a_program_answers_nothing_while_it_brakes_and_again_once_the_arm_stands(connected, robot):
+    robot.twist = (0.1, 0.0, 0.0, 0.0, 0.0, 0.0)
+    connected.stop()
+    unheard(robot)
+    connected.read()
+    exchanges(connected, 100, connected.hold)
+    robot.twist = (0.0,) * 6
+    exchanges(connected, 37, connected.hold)
+    with pytest.raises(LinkError, match="answered no command"):
+        exchanges(connected, 2, connected.hold)
+
+
 def test_stop_forgets_the_set_point(connected, robot):
     connected.servo(POSE)
     connected.read()

@@ -35,6 +35,10 @@ class Limits(Section):
     command_age: Seconds = Field(default=0.1, ge=0.02, le=2)
     """X: age of a command's ground at which the robot stops by itself, and the near side when it
     hears so. Several times the round trip of any network that can be controlled over."""
+    unanswered: Seconds = Field(default=0.15, ge=0.02, le=2)
+    """How long the robot's program may echo no new command until the host calls its link to it
+    dead, has the dashboard stop the program, and stops. X and half again: first the robot's own
+    watchdog has its say, and a robot that has none is still noticed."""
     standstill: Seconds = Field(default=0.5, gt=0)
     """N, as time: from a fault that has to stop the arm until it stands. X, a stop at 4 rad/s^2
     from the fastest travel (0.1 s) and the arm's own lag (50 ms), twice."""
