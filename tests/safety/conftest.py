@@ -18,12 +18,12 @@ LONGEST = 15.0
 LAST = object()
 
 
-def assembly(kind, params=None, at="phase: pick up", after=40, cycles=None, policy="pose"):
+def assembly(kind, params=None, at="phase: pick up", after=40, cycles=None, policy="pose", rig=RIG):
     """A trial under one fault, so many control periods after an event."""
     begins = Trigger(event=event("event", at), offset=Span(cycles=after)) if at else AT_ONCE
     lasts = None if cycles is None else Span(cycles=cycles)
     faults = Schedule((Fault(kind, params or {}, begins, lasts),))
-    return run_trial(RIG, 1, faults, policy=policy, longest=LONGEST)
+    return run_trial(rig, 1, faults, policy=policy, longest=LONGEST)
 
 
 def safe(trial):

@@ -1,13 +1,19 @@
-"""R8, R9, P1, P2, P4, H1 to H3: what cannot be noticed stays within the force bound."""
+"""R8, R9, P1 to P4, H1 to H4: what cannot be noticed stays within the force bound."""
 
 import re
 import time
+from functools import partial
 
 from controller.guard import Guard
 from controller.loop import Loop
+from controller.settings import Insertion
 from drivers.nrs.can_sensor import CanSensor
 from drivers.ur.program import ServoProgram
 from drivers.ur.sample import OUTPUTS
+from hil.app import near
+from hil.app.record import Lossy
+from hil.recording.channel import Channel
+from tests.safety.conftest import RIG
 
 NOW = time.time
 
@@ -40,6 +46,20 @@ def test_a_stiffer_contact_is_felt_and_the_force_stays_bounded(law):
     law.holds(
         bounded, bound, "P2", {"stiffness": 6.0, "friction": 5.0}, at="phase: search", after=3
     )
+
+
+def insisting(patch):
+    """A part that is stuck is pushed however often it was."""
+    patch.setattr(near, "Insertion", lambda **of: Insertion(**{**of, "jams": 10**6}))
+
+
+def test_a_part_that_does_not_go_in_is_a_danger_after_so_many_times(law):
+    def given_up(trial):
+        return bounded(trial) and "stuck in the slot 2 times" in trial.reason
+
+    task = RIG.task.model_copy(update={"on_jam": "draw out", "max_jams": 1})
+    rig = RIG.model_copy(update={"task": task})
+    law.holds(given_up, insisting, "P3", at="phase: search", after=1, rig=rig)
 
 
 def staying(patch):
@@ -92,6 +112,24 @@ def test_a_job_goes_on_whatever_the_wall_clock_does(law):
         return trial.outcome is not None and trial.outcome.kind.value == "inserted"
 
     law.holds(done, wall_clock, "H2")
+
+
+def minding(patch):
+    """A cycle that could not be recorded is the loop's to bear."""
+    sound = Lossy.put
+
+    def put(self, channel, t, payload):
+        take = self._sink.put if channel is Channel.CTRL else partial(sound, self)
+        take(channel, t, payload)
+
+    patch.setattr(Lossy, "put", put)
+
+
+def test_a_job_goes_on_whatever_the_disk_does(law):
+    def done(trial):
+        return trial.outcome is not None and trial.outcome.kind.value == "inserted"
+
+    law.holds(done, minding, "H4", at="phase: search", after=3, cycles=40)
 
 
 def test_control_does_not_ask_the_robot_for_a_force():

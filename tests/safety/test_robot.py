@@ -32,6 +32,10 @@ def test_a_program_that_does_not_play_ends_the_job(law, what):
     law.stops(state, "R3", {"what": what}, told="the motion program does not run")
 
 
+def test_a_joint_that_comes_near_its_limit_ends_the_job_by_name(law):
+    law.stops(state, "R5", told="ProtectiveStopError", at="phase: search", after=3)
+
+
 @pytest.mark.parametrize("what", ["speed", SLOW("plane")])
 def test_a_limit_of_the_safety_system_ends_the_job_without_a_retry(law, what):
     law.stops(state, "R6", {"what": what}, told="ProtectiveStopError")
