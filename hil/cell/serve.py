@@ -136,8 +136,14 @@ class ServedCell:
             answerable = due is None or due < t + self.bench.period
             edge = t if due is None or not answerable else max(t, due)
             self._send(edge, observe)
-            if answerable or t >= given_up:
-                return edge
+            if not answerable and t >= given_up:
+                self.give_up()
+            elif not answerable:
+                continue
+            return edge
+
+    def give_up(self) -> None:
+        """Nothing reaches a client, and in lockstep time stands until it says something."""
 
     def wall(self, stopped: Stopped, observe: Observer, schedule: Schedule) -> None:
         """Periods by the monotonic clock; a late one is counted and made up for, never dropped."""

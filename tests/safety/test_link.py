@@ -10,6 +10,7 @@ from drivers.protocol.rtde import Cutter, Package
 from drivers.ur.arm import UrArm
 from drivers.ur.program import ServoProgram
 from hil.trial.verdict import Verdict
+from tests.safety.conftest import assembly
 
 SLOW = partial(pytest.param, marks=pytest.mark.campaign)
 
@@ -39,6 +40,13 @@ def test_an_arm_on_a_stalled_link_stops_by_itself(law, direction):
 @pytest.mark.parametrize("direction", ["to_cell", SLOW("from_cell")])
 def test_an_arm_on_a_half_open_link_stops_by_itself(law, direction):
     law.holds(ended, watchdog, "T4", {"direction": direction}, cycles=60)
+
+
+@pytest.mark.parametrize("kind", ["T3", SLOW("T4")])
+def test_a_link_that_is_dead_from_the_start_ends_the_bring_up_without_a_wall_clock_wait(kind):
+    trial = assembly(kind, {"direction": "from_cell"}, at="phase: start", after=3)
+    assert trial.verdict is Verdict.BLOCKED
+    assert "closed the connection" in trial.reason, "else it waited for its own limit of 15 s"
 
 
 def believing(patch):

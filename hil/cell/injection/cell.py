@@ -38,6 +38,11 @@ class InjectedCell(ServedCell):
         assert isinstance(self.server, InjectedServer)
         self.server.leave(duration)
 
+    def give_up(self) -> None:
+        """Cut clients off, as their own limit on silence would: here no clock runs towards it."""
+        assert isinstance(self.server, InjectedServer)
+        self.server.cut_off("nothing reaches it any more")
+
     def listen(self, hear: Callable[[], None]) -> None:
         """Let `hear` call `note` and `leave` at the moments when they may still matter."""
         self._injection.hear = hear

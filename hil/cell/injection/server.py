@@ -70,6 +70,11 @@ class InjectedServer(UrServer):
         """For so long, ns, no client is heard or hears anything; the cell goes on meanwhile."""
         self._rtde_link.absent = self._rtde_link.now + duration
 
+    def cut_off(self, why: str) -> None:
+        """Drop every RTDE client."""
+        for connection, _ in tuple(self._rtde):
+            self._drop(connection, Cut(Event.LOST, why))
+
     def poll(self, t: int, timeout: float | None) -> None:
         self._rtde_link.now = t
         super().poll(t, timeout)
