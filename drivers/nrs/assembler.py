@@ -31,10 +31,12 @@ _Half: TypeAlias = tuple[bool, bytes, int]
 
 
 class Assembler:
-    """Takes data frames, gives whole samples in rising order, counts everything it drops.
+    """Takes data frames, gives each sample once, counts everything it drops.
 
-    The counter's wraps are known only once STATUS has told the node's own count, so no sample
-    comes before the first STATUS, nor after an outage before the next one.
+    Samples of one batch may come in any order; one that is older than its batch is dropped, for
+    what followed it has been acted on. The counter's wraps are known only once STATUS has told the
+    node's own count, so no sample comes before the first STATUS, nor after an outage before the
+    next one.
     """
 
     def __init__(self, identifiers: Identifiers, fd: bool) -> None:
@@ -44,6 +46,8 @@ class Assembler:
         self._halves: dict[int, _Half] = {}  # by counter, oldest first
         self._last: int | None = None
         self._last_t = 0
+        self._floor = -1  # newest sample of the batches before this one
+        self._given: set[int] = set()  # samples of this batch
         self._synchronised = False
         self.pairs = self.gaps = self.duplicates = self.torn = self.malformed = 0
         self.last_error = ""
@@ -53,6 +57,12 @@ class Assembler:
         self._halves.clear()
         self._last = None
         self._synchronised = False
+        self.begin()
+
+    def begin(self) -> None:
+        """A new batch of frames: the samples so far are no longer waited for."""
+        self._floor = -1 if self._last is None else self._last
+        self._given.clear()
 
     def synchronise(self, sample_count: int, t: int) -> None:
         """Take the number of samples sent from a STATUS that arrived at t."""
@@ -62,6 +72,7 @@ class Assembler:
             self.gaps += max(0, newest - last)
             self._last = newest
             self._halves.clear()
+            self.begin()
         self._synchronised, self._last_t = True, t
 
     def accept(self, identifier: int, octets: bytes, fd: bool, t: int) -> NumberedSample | None:
@@ -104,10 +115,11 @@ class Assembler:
         halves, last = self._halves, self._last
         # In order, which it nearly always is, a half is of the sample after the last.
         if last is not None and self._synchronised and counter != last + 1 & 0xFF:
-            step = self._distance(counter, last)
-            self.duplicates += step == 0  # its sample is complete already
-            self.torn += step < 0  # its turn is over
-            if step <= 0:
+            number = last + self._distance(counter, last)
+            given = number in self._given or number == last
+            self.duplicates += given  # its sample is complete already
+            self.torn += number <= self._floor and not given  # its turn is over
+            if given or number <= self._floor:
                 return
         halves[counter] = half
         if len(halves) > WINDOW:
@@ -120,13 +132,16 @@ class Assembler:
             return None
         wrench, flags, counter = sample
         step = self._distance(counter, last)
-        if step <= 0:
+        number = last + step
+        if number <= self._floor or number in self._given:
             self.duplicates += 1
             return None
         self.pairs += 1
-        self.gaps += step - 1
-        self._last, self._last_t = last + step, t
-        return NumberedSample(last + step, wrench, flags)
+        self.gaps += step - 1 if step > 0 else -1  # a late one fills the gap it had left
+        self._given.add(number)
+        if step > 0:
+            self._last, self._last_t = number, t
+        return NumberedSample(number, wrench, flags)
 
     def nearest(self, counter: int) -> int:
         """The number nearest the last sample's whose low byte is `counter`."""

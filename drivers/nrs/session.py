@@ -1,5 +1,6 @@
 """The conversation with one sensor node, without a bus: frames and times in, wrenches out."""
 
+from bisect import insort
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
@@ -104,6 +105,7 @@ class Session:
     def take(self, frames: Iterable[Heard], t: int) -> None:
         """Understand standard data frames that were there at arm time t, in bus order."""
         accept, keep, sample_ids = self.assembler.accept, self._keep, self._sample_ids
+        self.assembler.begin()
         for identifier, octets, fd in frames:
             if identifier in sample_ids:
                 sample = accept(identifier, octets, fd, t)
@@ -180,9 +182,14 @@ class Session:
 
     def _keep(self, sample: NumberedSample) -> None:
         self._plausibility.watch(sample.wrench)
-        if sample.number >= self._stream.zero_from:
-            self._stream.newest = sample
-            self._stream.fresh.append(sample)
+        stream = self._stream
+        if sample.number < stream.zero_from:
+            return
+        if stream.newest is None or sample.number > stream.newest.number:
+            stream.newest = sample
+            stream.fresh.append(sample)
+        else:
+            insort(stream.fresh, sample)  # by number: it came late
 
     def _on_status(self, frame: CanFrame, t: int) -> None:
         status = decode_status(frame.data)

@@ -109,6 +109,37 @@ def test_pairs_and_gaps_add_up_to_what_was_sent(kept):
     assert session.assembler.torn == session.assembler.duplicates == 0
 
 
+@settings(deadline=None)
+@given(st.integers(1, 8), st.data())
+def test_samples_of_one_batch_may_come_in_any_order(count, data):
+    session = started()
+    feed(session, range(3))
+    frames = [frame for number in range(3, 3 + count) for frame in pair(number)]
+    at = data.draw(st.permutations(range(len(frames))).map(near))
+    session.take([frames[n] for n in at], (3 + count) * MS)
+    reading = session.reading((3 + count) * MS)
+    assert reading.samples == tuple(wrench(number) for number in range(3 + count))
+    assert reading.counter == 2 + count
+    assert session.assembler.gaps == session.assembler.torn == session.assembler.duplicates == 0
+
+
+def near(order):
+    """The order within each group of two samples: more halves than these are not waited for."""
+    groups = [sorted(order)[n : n + 4] for n in range(0, len(order), 4)]
+    ranked = {n: order.index(n) for n in order}
+    groups = [sorted(group, key=ranked.__getitem__) for group in groups]
+    return [n for group in groups for n in group]
+
+
+def test_a_sample_that_is_later_than_its_batch_is_dropped(session):
+    feed(session, [0, 1])
+    session.take([*pair(3)], 3 * MS)
+    session.take([*pair(2), *pair(4)], 4 * MS)
+    reading = session.reading(4 * MS)
+    assert reading.samples == tuple(wrench(number) for number in (0, 1, 3, 4))
+    assert session.assembler.gaps == 1
+
+
 def test_halves_that_lost_their_partner_are_never_mixed(session):
     for number in range(0, 40, 2):
         session.take([pair(number)[0]], number * MS)

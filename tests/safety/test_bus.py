@@ -57,6 +57,24 @@ class GivesUp:
         return None
 
 
+def one_way(patch):
+    """A sample that comes after a newer one is dropped, though nobody has looked at either."""
+    sound = Assembler._number
+
+    def number(self, sample, t):
+        self.begin()
+        return sound(self, sample, t)
+
+    patch.setattr(Assembler, "_number", number)
+
+
+def test_samples_out_of_order_within_a_period_are_put_in_order(law):
+    def ridden_out(trial):
+        return trial.outcome is not None and trial.outcome.kind.value == "inserted"
+
+    law.holds(ridden_out, one_way, "C3", {"how": "reorder"}, after=3)
+
+
 def bound(patch):
     """A guard with a force bound that nothing passes."""
     sound = Guard.__init__
