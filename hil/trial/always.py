@@ -69,6 +69,7 @@ def _of_commands(rig: Rig) -> tuple[Always, ...]:
             "turn", f"turn <= {limits.step_rotation * 1.05:.6g}", "turn of the target in limits"
         ),
         Always("commands", "commands <= 1", "at most one command a cycle"),
+        Always("order", "order >= 0", "no command followed after a newer one"),
     )
 
 

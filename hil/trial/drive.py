@@ -67,6 +67,7 @@ class Driver:
         if self.record is not None:
             self.record.rtde(t, sent, package)
         if not sent:
+            self._sampler.package()
             self._began = t if self._began is None else self._began
             if t - self._began > self._longest:
                 raise Overtime

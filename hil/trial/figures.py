@@ -12,7 +12,8 @@ from hil.trial.trace import Trace
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """Bench seconds from the fault's first effect; None for what did not happen.
+    """Bench seconds from the fault's first effect; None for what did not happen while a job ran:
+    one that simply came to its end has not been stopped.
 
     detection: until the near side, or the robot's program, gave up servoing. reaction: until the
     robot had its first safe command, or had stopped by itself. stop: until it stood for good, but
@@ -42,10 +43,10 @@ def figures(trace: Trace, events: Iterable[FaultEvent], noticed: int | None) -> 
 def _figures(trace: Trace, event: FaultEvent, noticed: int | None) -> Figures:
     t, begin = trace["t"], event.t * 1e-9
     first = int(np.searchsorted(t, begin))
-    since = slice(min(first, len(t) - 1), None)
-    stopping = trace["stopping"][since] > 0.5
+    since = slice(first, None)
     force = trace["force"][since]
-    reaction = _first(t[since], stopping, begin)
+    stopped = (trace["stopping"][since] > 0.5) & (trace["running"][since] > 0.5)
+    reaction = _first(t[since], stopped, begin)
     seen = None if noticed is None or noticed * 1e-9 < begin else noticed * 1e-9 - begin
     known = [latency for latency in (seen, reaction) if latency is not None]
     step = float(np.median(np.diff(t))) if len(t) > 1 else 0.0
@@ -53,26 +54,29 @@ def _figures(trace: Trace, event: FaultEvent, noticed: int | None) -> Figures:
         event.kind,
         event.index,
         begin,
-        trace.phases[since.start],
+        trace.phases[min(first, len(t) - 1)],
         min(known, default=None),
         reaction,
-        None if reaction is None else _stood(trace, since, begin),
-        float(force.max()),
+        None if reaction is None else _stood(trace, since, begin, reaction),
+        float(force.max(initial=0.0)),
         float((force > 1.0).sum()) * step,
     )
 
 
 def _first(t: np.ndarray, holds: np.ndarray, begin: float) -> float | None:
     at = np.flatnonzero(holds)
-    return max(0.0, float(t[at[0]]) - begin) if len(at) else None
+    return float(t[at[0]]) - begin if len(at) else None
 
 
-def _stood(trace: Trace, since: slice, begin: float) -> float | None:
-    """When the arm last moved; None where it still does at the end."""
+def _stood(trace: Trace, since: slice, begin: float, reaction: float) -> float | None:
+    """When the arm last moved; None where it still does at the end.
+
+    One that stood at the time anyway stands for good from the reaction on.
+    """
     moving = (trace["speed"][since] > REST_SPEED) | (trace["turning"][since] > REST_TURN)
     moving &= np.array([phase != "withdraw" for phase in trace.phases[since]])
     at = np.flatnonzero(moving)
     if not len(at):
-        return 0.0
+        return reaction
     last, t = int(at[-1]), trace["t"][since]
-    return None if last + 1 >= len(t) else max(0.0, float(t[last + 1]) - begin)
+    return None if last + 1 >= len(t) else max(reaction, float(t[last + 1]) - begin)

@@ -22,7 +22,7 @@ from hil.trial.trace import Trace, trace
 from hil.trial.truth import Push, Vector4
 from hil.trial.verdict import Judge
 
-_COMMAND, _SEQUENCE = 24, 25
+_COMMAND, _ECHO = 24, 24
 _SAFE: Final = (SafetyMode.NORMAL, SafetyMode.REDUCED)
 REMEMBERED: Final = 4096
 """Commands whose time of reading is known: 8 s of them at 500 Hz."""
@@ -52,7 +52,8 @@ class Sampler:
         self._rows: list[tuple[float, ...]] = []
         self._phases: list[str] = []
         self._reads: deque[tuple[int, int]] = deque(maxlen=REMEMBERED)
-        self._commands = 0
+        self._upon = self._burst = 0
+        self._followed: int | None = None
         self._target: tuple[float, ...] = ()
         self.bench: Bench | None = None
         self.phase, self.episode = "start", 0
@@ -70,8 +71,14 @@ class Sampler:
         self.running = self.running and not (self.leaving or withdrawing)
         if self.running and stopping and self.noticed is None:
             self.noticed = read
-        self._commands += 1
+        if not stopping:
+            self._upon += 1
+            self._burst = max(self._burst, self._upon)
         self._reads.append((sequence, read))
+
+    def package(self) -> None:
+        """The near side read a package: it may answer once."""
+        self._upon = 0
 
     def cycle(self, cycle: Cycle, course: Course) -> None:
         """What the near side knows in this cycle."""
@@ -106,7 +113,7 @@ class Sampler:
             float(owed),
             float(self._steps),
         )
-        self._commands = 0
+        self._burst = 0
         self._rows.append(row)
         self._phases.append(self.phase)
         self.judge.step(dict(zip(NAMES, row, strict=True)), self.phase)
@@ -120,9 +127,10 @@ class Sampler:
         return max(abs(f) / bound for f, bound in zip(forces, self._bound, strict=True))
 
     def _robot(self, bench: Bench, t: int) -> Sequence[float]:
-        """command_age, commands, servoing, stopping, step, turn."""
+        """command_age, commands, order, servoing, stopping, step, turn."""
         box = bench.arm.box
         integers = box.registers.inputs.integers
+        sequence = box.registers.outputs.integers[_ECHO]
         plays = box.modes.moving and box.modes.program is RuntimeState.PLAYING
         servoing = plays and integers[_COMMAND] == Command.SERVO
         (x, y, z), rotation = box.target.flange
@@ -131,9 +139,11 @@ class Sampler:
         last, self._target = self._target, (*tip, heading[0], heading[1])
         step = dist(tip, last[:3]) if last else 0.0
         turn = hypot(heading[0] - last[3], heading[1] - last[4]) if last else 0.0
-        age = self._command_age(integers[_SEQUENCE], t) if servoing else 0.0
+        age = self._command_age(sequence, t) if servoing else 0.0
+        order = _onward(self._followed, sequence) if servoing else 0
+        self._followed = sequence if servoing else None
         stopping = self.stopping or not plays
-        return (age, float(self._commands), float(servoing), float(stopping), step, turn)
+        return (age, float(self._burst), float(order), float(servoing), float(stopping), step, turn)
 
     def _command_age(self, sequence: int, t: int) -> float:
         """How old the state is that this command answers, s; 0 for one that is not the near's."""
@@ -147,4 +157,10 @@ class Sampler:
         return 0.0
 
 
-assert len(NAMES) == 28, "a row of `tick` has a value for each signal"
+def _onward(before: int | None, sequence: int) -> int:
+    """How many commands later this one is; below 0: it is older, whatever the counter's wrap."""
+    ahead = 0 if before is None else (sequence - before) & SEQUENCE_MASK
+    return ahead if ahead <= SEQUENCE_MASK >> 1 else ahead - SEQUENCE_MASK - 1
+
+
+assert len(NAMES) == 29, "a row of `tick` has a value for each signal"

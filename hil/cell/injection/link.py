@@ -101,7 +101,7 @@ class InjectedConnection(Connection):
         self._cutter = packages.Cutter()
         self._past_in: deque[bytes] = deque(maxlen=KEPT)
         self._past_out: deque[bytes] = deque(maxlen=KEPT)
-        self._held: bytes | None = None
+        self._held: dict[str, bytes] = {}
         self._fate: Cut | None = None
 
     def hear(self, data: bytes, t: int) -> None:
@@ -117,7 +117,7 @@ class InjectedConnection(Connection):
     def publish(self, t: int, step: int) -> None:
         """Put on its way what is left of the session's package."""
         package = self.session.publish(step)
-        if not package and self._held is None:
+        if not package and FROM_CELL not in self._held:
             return
         due = max(self._last_due, t + next(self._travel))
         for whole in self._outbound(package, t):
@@ -129,7 +129,7 @@ class InjectedConnection(Connection):
     def next_due(self) -> int | None:
         """A package held back has not gone: the client has nothing to answer yet."""
         due = super().next_due
-        return FOREVER if due is None and self._held is not None else due
+        return FOREVER if due is None and FROM_CELL in self._held else due
 
     def flush(self, t: int) -> None:
         if self._fate is not None:
@@ -196,27 +196,31 @@ class InjectedConnection(Connection):
 
     def _replayed(self, package: bytes, t: int, way: str) -> list[bytes]:
         past = self._past_in if way == TO_CELL else self._past_out
-        found = [package] if package else []
+        sound = [package] if package else []
+        found = sound
         for one in self._link.ways("T9", way):
             how, depth = one.fault.word("how"), int(one.fault.number("depth"))
             if how == "duplicate":
                 found = found * 2
             elif how == "replay" and len(past) >= depth:
                 found = [*found, past[-depth]]
-            elif how == "reorder" and way == FROM_CELL:
-                found = self._reordered(found)
-            one.felt(t, f"{how} {way}")
-        if self._held is not None and not any(self._link.ways("T9", FROM_CELL)):
-            found, self._held = [self._held, *found], None
-        past.append(package)
+            elif how == "reorder":
+                found = self._reordered(found, way)
+            if found != sound:
+                one.felt(t, f"{how} {way}")
+        if way in self._held and not any(self._link.ways("T9", way)):
+            found = [self._held.pop(way), *found]
+        if package:
+            past.append(package)
         return found
 
-    def _reordered(self, found: list[bytes]) -> list[bytes]:
-        if self._held is None:
-            self._held = found[0] if found else None
-            return []
-        held, self._held = self._held, None
-        return [*found, held]
+    def _reordered(self, found: list[bytes], way: str) -> list[bytes]:
+        """Every other package waits for the next one, which overtakes it."""
+        if way in self._held:
+            return [*found, self._held.pop(way)]
+        if found:
+            self._held[way] = found[0]
+        return []
 
     def _throttled(self, size: int, t: int) -> int:
         """How long so many bytes take where the client reads slowly, ns; a full buffer ends it."""

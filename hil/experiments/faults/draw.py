@@ -24,10 +24,15 @@ LONGEST: Final = 250
 
 
 def each() -> Iterator[tuple[Fault, Phase]]:
-    """Every fault with its defaults in every phase where it makes sense, soon after that begins."""
+    """Every fault with its defaults in every phase where it makes sense, soon after that begins.
+
+    In free air once the arm moves, unless free air is all that the fault is for: then at the start.
+    """
     for row in CATALOGUE:
         for phase in row.phases:
-            yield Fault(row.id, {}, _trigger(row, phase, 3)), phase
+            early = phase is Phase.FREE and row.phases != (Phase.FREE,)
+            name = "pick up" if early else phase.value
+            yield Fault(row.id, {}, _trigger(row, name, 3)), phase
 
 
 def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
@@ -37,13 +42,15 @@ def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
     values = {parameter.name: _value(parameter, rng) for parameter in row.parameters}
     brief = row.lasting and not row.start and rng.random() < 0.5 and row.id not in MET
     lasts = Span(cycles=int(rng.integers(1, LONGEST))) if brief else None
-    return Fault(row.id, values, _trigger(row, phase, int(rng.integers(LATEST))), lasts), phase
+    return Fault(
+        row.id, values, _trigger(row, phase.value, int(rng.integers(LATEST))), lasts
+    ), phase
 
 
-def _trigger(row: Row, phase: Phase, after: int) -> Trigger:
+def _trigger(row: Row, phase: str, after: int) -> Trigger:
     if row.start:
         return Trigger()
-    return Trigger(event=Event(Kind.PHASE, phase.value), offset=Span(cycles=after))
+    return Trigger(event=Event(Kind.PHASE, phase), offset=Span(cycles=after))
 
 
 def _value(parameter: Parameter, rng: np.random.Generator) -> Value:
