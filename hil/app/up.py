@@ -59,8 +59,10 @@ def up(
 
     powered: the arm releases its brakes by itself.
     """
+    from hil.cell.arm.urscript import compile_program  # noqa: PLC0415
     from hil.cell.assemble import serve  # noqa: PLC0415  MuJoCo loads only with a cell
 
+    compile_program("sync()")  # the parser's tables, 0.2 s that no client's first program waits for
     with _signals() as came, serve(rig, seed, across_processes=True) as cell, open_desk() as desk:
         if powered:
             cell.power_up()
