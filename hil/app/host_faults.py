@@ -18,14 +18,12 @@ from hil.cell.faults.log import FaultEvent
 from hil.cell.faults.row import Place
 from hil.cell.faults.schedule import Numbered
 from hil.cell.faults.situation import Situation
-from hil.cell.injection.places import OF_A_RUN, check
+from hil.cell.injection.places import NEAR, OF_A_RUN, check
 from hil.cell.rig import Rig
 from hil.recording.channel import Channel
 from hil.recording.errors import RecordingError
 
 NS: Final = 1_000_000_000
-NEAR: Final = frozenset((Place.HOST, Place.POLICY, Place.AGENTS))
-"""Places on this side of the wire."""
 TOUCH: Final = 1.0
 """N: a measured force above it is contact to a trigger of this side, which knows no truth."""
 UNATTENDED: Final = 1_000_000_000

@@ -125,21 +125,28 @@ def again(path: Path, *, json: bool) -> int:
 def _attempt(rig: str, seed: int | None, policy: str, formula: str) -> "Attempt":
     from hil.cli.shipped import read  # noqa: PLC0415
     from hil.falsify.trials import Attempt  # noqa: PLC0415
+    from hil.monitors.errors import MonitorError  # noqa: PLC0415
     from hil.monitors.monitor import Monitor  # noqa: PLC0415
     from hil.trial.signals import SCALES  # noqa: PLC0415
 
     file, _ = read(rig)
-    if formula:
-        Monitor(formula, SCALES)
+    try:
+        _ = formula and Monitor(formula, SCALES)
+    except MonitorError as error:
+        raise typer.BadParameter(str(error), param_hint="--formula") from None
     chosen = file.seed if seed is None else seed
     return Attempt(file.on_free_ports(), chosen, policy, formula)
 
 
 def _kinds(text: str) -> list[str]:
+    from hil.cell.errors import FaultError  # noqa: PLC0415
     from hil.cell.faults.catalogue import CATALOGUE, row  # noqa: PLC0415
 
     if text:
-        return [row(word.strip()).id for word in text.split(",")]
+        try:
+            return [row(word.strip()).id for word in text.split(",")]
+        except FaultError as error:
+            raise typer.BadParameter(str(error), param_hint="--faults") from None
     return [one.id for one in CATALOGUE if not one.start]
 
 

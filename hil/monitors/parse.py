@@ -53,7 +53,7 @@ def _where(text: str, error: UnexpectedInput) -> str:
     column = 0 if ended else getattr(error, "column", 0)
     found = f"'{text[column - 1 :]}' at column {column}" if column > 0 else "its end"
     return (
-        f"'{text}': cannot go on at {found}; a formula compares signals (f_z <= 10) and joins them "
+        f"'{text}': cannot go on at {found}; a formula compares signals (fz <= 10) and joins them "
         "with and, or, not, ->, once[a:b], historically[a:b], previously"
     )
 

@@ -133,7 +133,8 @@ def parameter_value(key: str, parameter: Parameter, value: object) -> Value:
 
 def _number(key: str, parameter: Parameter, value: object) -> float:
     if isinstance(value, int | float) and not isinstance(value, bool):
-        if parameter.unit not in ("", "ppm") and not (parameter.whole and parameter.unit == "B"):
+        bare = isfinite(value) and parameter.unit not in ("", "ppm")
+        if bare and not (parameter.whole and parameter.unit == "B"):
             raise FaultError(f"{key}: {value!r} has no unit; write '{value} {parameter.unit}'")
         number = float(value)
     else:

@@ -1,6 +1,6 @@
 """When a fault begins: in bench time, at an event, by chance, again and again."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from math import isfinite
@@ -115,11 +115,18 @@ def trigger(key: str, content: object) -> Trigger:
     )
 
 
-def never(trigger: Trigger, period: int, episodes: int) -> str:
-    """Why it can never fire in a run of so many episodes; "" when it can."""
+def never(trigger: Trigger, period: int, episodes: int, others: Collection[str] = ()) -> str:
+    """Why it can never fire in a run of so many episodes; "" when it can.
+
+    others: ids of the faults that the same end of the wire injects besides.
+    """
     waited = trigger.event
     if waited is not None and waited.kind is Kind.EPISODE and waited.value > episodes:
         return f"the run has {episodes} episode{'s' * (episodes != 1)}, it waits for {waited}"
+    chained = waited is not None and waited.kind in (Kind.ACTIVE, Kind.CLEARED)
+    if waited is not None and chained and waited.name not in others:
+        there = ", ".join(sorted(others)) or "none"
+        return f"it waits for {waited}; faults beside it on this side of the wire: {there}"
     if trigger.every is not None and trigger.every.long(period) < period:
         return f"every {trigger.every} is less than a control period of {period / 1e6:g} ms"
     return ""

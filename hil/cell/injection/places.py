@@ -12,6 +12,8 @@ from hil.cell.rig import Rig
 OF_THE_CELL: Final = frozenset(
     (Place.RTDE, Place.ROBOT, Place.BUS, Place.SENSOR, Place.GRIPPER, Place.PLANT)
 )
+NEAR: Final = frozenset((Place.HOST, Place.POLICY, Place.AGENTS))
+"""On the near side of the wire: neither side hears of the other's faults."""
 OF_A_RUN: Final = OF_THE_CELL | {Place.HOST, Place.POLICY}
 """With the near side of an assembly, whose policy does not learn."""
 OF_A_TRAINING: Final = OF_A_RUN | {Place.AGENTS}
@@ -27,7 +29,11 @@ def check(
     if rig.rig == "real":
         raise FaultError(f"rig '{rig.name}' names real devices: faults are for emulated cells")
     for index, fault in faults:
-        reason = _missing(fault, rig, places) or never(fault.trigger, rig.robot.period, episodes)
+        near = fault.row.place in NEAR
+        others = {one.kind for n, one in faults if n != index and (one.row.place in NEAR) is near}
+        reason = _missing(fault, rig, places) or never(
+            fault.trigger, rig.robot.period, episodes, others
+        )
         if reason:
             raise FaultError(f"faults[{index}]: {fault.kind} {fault.row.name}: {reason}")
 
