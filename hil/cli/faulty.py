@@ -1,5 +1,6 @@
 """`hil experiment faults` and `hil coverage`: single faults over a whole job."""
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -12,6 +13,8 @@ Runs = Annotated[int, typer.Option(min=1, help="How many runs, each with one ran
 Each = Annotated[
     bool, typer.Option("--each", help="Every fault once in every phase instead, with its defaults.")
 ]
+
+Page = Annotated[Path | None, typer.Option(help="Also write it as a Markdown page.")]
 
 
 def experiment(
@@ -43,13 +46,17 @@ def experiment(
     return 0 if found.safe else FAILED
 
 
-def coverage(ledger: campaign.LedgerPath, *, json: Json = False) -> None:
+def coverage(ledger: campaign.LedgerPath, *, page: Page = None, json: Json = False) -> None:
     """Which fault was active in which phase, from the ledger of `hil experiment faults`."""
     from hil.campaign.ledger import reading  # noqa: PLC0415
-    from hil.experiments.faults.coverage import as_text  # noqa: PLC0415
+    from hil.experiments.faults.coverage import as_markdown, as_text  # noqa: PLC0415
     from hil.experiments.faults.coverage import coverage as covered  # noqa: PLC0415
     from hil.view import tables  # noqa: PLC0415
 
+    if page is not None and not page.parent.is_dir():
+        raise typer.BadParameter(f"no folder {page.parent}", param_hint="--page")
     with reading(ledger) as found:
         rows = covered(found.entries())
+    if page is not None:
+        page.write_text(as_markdown(rows, "hil experiment faults --each"), encoding="utf-8")
     typer.echo(tables.as_json(rows) if json else as_text(rows), nl=False)

@@ -3,9 +3,14 @@
 import numpy as np
 import pytest
 
+from hil.campaign.ledger import Entry
+from hil.campaign.run import Outcome, Run, Verdict
 from hil.cell.faults.catalogue import CATALOGUE
 from hil.cell.faults.log import FaultEvent, Stage
+from hil.cell.faults.row import Phase
 from hil.experiments.faults import draw
+from hil.experiments.faults.coverage import as_markdown, as_text, coverage
+from hil.experiments.faults.experiment import FUNCTION
 from hil.experiments.faults.run import late
 from hil.trial.figures import Figures
 
@@ -46,3 +51,43 @@ def test_a_campaign_draws_every_fault_that_an_assembly_has_a_place_for():
 @pytest.mark.parametrize("kind", draw.MET)
 def test_what_acts_only_where_the_job_meets_it_lasts_to_the_end(kind):
     assert {fault.duration for fault in RUNS if fault.kind == kind} == {None}
+
+
+def test_each_fault_is_tried_in_each_of_its_phases_once_the_arm_moves():
+    tried = list(draw.each())
+    assert {fault.kind for fault, _ in tried} == {row.id for row in CATALOGUE}
+    begins = {(fault.kind, phase): str(fault.trigger.event) for fault, phase in tried}
+    assert begins["C1", Phase.FREE] == "phase: pick up"
+    assert begins["C1", Phase.INSERT] == "phase: insert"
+    assert begins["S5", Phase.FREE] == "phase: free"
+
+
+def ran(kind, phase, verdict=Verdict.PASSED, **figures):
+    """A run of a ledger: where the fault was active, "" for nowhere."""
+    found = {"active": bool(phase), "phase": phase, "figures": figures}
+    run = Run(FUNCTION, "", 1, {"fault": {"kind": kind, "trigger": phase}})
+    return Entry(run.key, "code", Outcome(verdict, "", found))
+
+
+def test_coverage_counts_what_was_active_and_keeps_the_worst_figures():
+    rows = coverage(
+        [
+            ran("C1", "contact", detection=0.01, reaction=0.02, stop=0.1, exposure=0.4),
+            ran("C1", "search", detection=0.03, reaction=None, stop=None, exposure=0.2),
+            ran("P3", "", Verdict.VACUOUS),
+        ]
+    )
+    found = {row.id: row for row in rows}
+    assert len(rows) == 52
+    c1 = found["C1"]
+    assert (c1.detection, c1.reaction, c1.stop, c1.exposure) == (0.03, 0.02, 0.1, 0.4)
+    assert c1.active["contact"] == c1.active["search"] == 1
+    assert c1.open == ("free", "approach", "insert", "retract")
+    assert found["P3"].active == dict.fromkeys(Phase) | {"search": 0, "insert": 0}
+    assert found["P3"].verdicts == {"vacuous": 1}
+    page = as_markdown(rows, "hil experiment faults --each")
+    figures = "30 ms | 20 ms | 100 ms | 0.40 | 2 passed |"
+    assert f"| C1 `can.drop` | stop | 0 | 0 | 1 | 1 | 0 | 0 | {figures}" in page.splitlines()
+    assert found["T6"].open == ("free",)
+    assert "3 runs (2 passed, 1 vacuous)" in page
+    assert "P3 (search, insert)" in as_text(rows)
