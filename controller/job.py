@@ -10,7 +10,7 @@ from controller.phases.insert import Inserted, draw_out, insert
 from controller.phases.pick_up import pick_up, put_down, release
 from controller.phases.search import Found, search, take_step
 from controller.phases.tare import tare
-from controller.settings import Jam, Plan
+from controller.settings import Jam, Plan, Travel
 from drivers.interfaces import ForceTorqueSensor, Gripper
 
 
@@ -66,7 +66,12 @@ def bring_back(course: Course, plan: Plan, gripper: Gripper) -> Phase[Ending]:
 
 def leave(course: Course, plan: Plan) -> Phase[Ending]:
     """Retract from wherever an episode or a stop left the tool; wants `Limits.relaxed`."""
-    yield from retract(course, plan.travel)
+    return (yield from lift(course, plan.travel))
+
+
+def lift(course: Course, travel: Travel) -> Phase[Ending]:
+    """Straight up to the crossing height, from wherever the tool is."""
+    yield from retract(course, travel)
     return Ending(Kind.DONE, "retracted")
 
 

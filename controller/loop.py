@@ -49,25 +49,27 @@ class Loop:
         self._misses = 0
         self._t: int | None = None
 
-    def run(self, job: Job, limits: Limits) -> Outcome:
+    def run(self, job: Job, limits: Limits, *, leaving: bool = False) -> Outcome:
         """Drive the job to its end. A limit or a failing device stops the arm and is told in the
         Outcome; every other exception, KeyboardInterrupt too, stops the arm and goes on.
 
-        After a force where nothing should be the arm draws back the way it came.
+        After a force where nothing should be the arm draws back the way it came. leaving: the job
+        takes the tool out of what pushes on it now, however hard, so the force must only not grow.
         """
         self._cycles, self._misses, self._t = 0, 0, None
         try:
-            return self._ended(job, limits)
+            return self._ended(job, limits, leaving)
         except BaseException:
             with suppress(DriverError):  # a dead link must not hide what went wrong
                 self._arm.stop()
             raise
 
-    def _ended(self, job: Job, limits: Limits) -> Outcome:
+    def _ended(self, job: Job, limits: Limits, leaving: bool) -> Outcome:
         course: Course | None = None
-        guard = Guard(limits, self._arm.period)
         try:
             cycle = self._cycle()
+            bounds = limits.leaving(cycle.wrench) if leaving else limits
+            guard = Guard(bounds, self._arm.period)
             course = Course(cycle, self._arm.period * 1e-9)
             ending = self._drive(job(course), course, guard)
         except (ControlError, DriverError) as error:

@@ -23,6 +23,31 @@ def bring_up(
     arm.connect()
     sensor.start()
     _hold_until(arm, sensor, lambda: sensor.ready, "samples")
+    return _tested(arm, sensor, tare_samples, load)
+
+
+def resume(
+    arm: Arm,
+    sensor: ForceTorqueSensor,
+    clear: Callable[[], None],
+    tare_samples: int = 1000,
+    *,
+    load: Load | None = None,
+) -> ArmState:
+    """The same after a stop, once a person or supervisor has removed its cause and permits it.
+
+    A protective stop is released; handshake, program, self test and zero are all made anew. clear:
+    takes the tool to free air, on a sensor that is not zeroed, with one command in flight.
+    """
+    sensor.connect()
+    arm.recover()
+    sensor.start()
+    _hold_until(arm, sensor, lambda: sensor.ready, "samples")
+    clear()
+    return _tested(arm, sensor, tare_samples, load)
+
+
+def _tested(arm: Arm, sensor: ForceTorqueSensor, tare_samples: int, load: Load | None) -> ArmState:
     if load is not None:
         self_test(arm, sensor, load)
     sensor.begin_tare(tare_samples)

@@ -61,6 +61,10 @@ class Arm(Protocol):
         """Bring the arm to where it follows set-points: power, brakes, program; DriverError."""
         ...
 
+    def recover(self) -> ArmState:
+        """The same from a protective stop too, whose cause somebody has removed; DriverError."""
+        ...
+
     def close(self) -> None:
         """Stop the motion program and leave; never raises for a dead link."""
         ...

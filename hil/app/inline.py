@@ -42,8 +42,7 @@ class InlineCell:
         self._stopped = Event()
         self._failure: BaseException | None = None
         self._report: CellReport | None = None
-        # A cell that nobody closed must not keep the interpreter from ending.
-        self._thread = Thread(target=self._run, name="cell", daemon=True)
+        self._thread = self._server()
 
     @property
     def doors(self) -> Doors:
@@ -82,12 +81,22 @@ class InlineCell:
             raise self._failure
         self.served.coast(periods, self._observe)
 
+    def serve_again(self) -> None:
+        """Go on serving after `coast`."""
+        self._stopped.clear()
+        self._thread = self._server()
+        self._thread.start()
+
     def stop(self) -> CellReport:
         """Stop and close every door; raises what the cell died of, if it did."""
         self._halt()
         if self._failure is not None:
             raise self._failure
         return self._report or CellReport(0, None, ())
+
+    def _server(self) -> Thread:
+        # A cell that nobody closed must not keep the interpreter from ending.
+        return Thread(target=self._run, name="cell", daemon=True)
 
     def _run(self) -> None:
         try:

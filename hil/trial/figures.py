@@ -1,13 +1,19 @@
-"""The four figures of a fault: how long until it was noticed, answered, stood still; how hard."""
+"""The five figures of a fault: noticed, answered, at rest, how hard, and ready again."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 
 from hil.cell.faults.log import FaultEvent, Stage
 from hil.trial.always import REST_SPEED, REST_TURN
 from hil.trial.trace import Trace
+
+WITHDRAW: Final = "withdraw"
+"""The phase in which an arm draws back from what it met."""
+NOTHING: Final[Mapping[int, float]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +25,8 @@ class Figures:
     robot had its first safe command, or had stopped by itself. stop: until it stood for good, but
     for drawing back.
     exposure: largest true |f| / f_b since. over: seconds of it above 1. phase: it became active in.
-    recovery: until the job went on after a stop; None where it did not.
+    recovery: from the permission to go on until a job could begin, or from standstill until the arm
+    had drawn back; None where neither was wanted or came about.
     """
 
     kind: str
@@ -34,13 +41,32 @@ class Figures:
     recovery: float | None = None
 
 
-def figures(trace: Trace, events: Iterable[FaultEvent], noticed: int | None) -> tuple[Figures, ...]:
-    """Of each fault that was active. noticed: arm time of the near side's stop, ns."""
+def figures(
+    trace: Trace,
+    events: Iterable[FaultEvent],
+    noticed: int | None,
+    recovered: Mapping[int, float] = NOTHING,
+) -> tuple[Figures, ...]:
+    """Of each fault that was active. noticed: arm time of the near side's stop, ns. recovered: how
+    long it took to be ready again, s, by the fault's index.
+    """
     active = (event for event in events if event.stage is Stage.ACTIVE)
-    return tuple(_figures(trace, event, noticed) for event in active)
+    return tuple(
+        _figures(trace, event, noticed, recovered.get(event.index, _drawn_back(trace)))
+        for event in active
+    )
 
 
-def _figures(trace: Trace, event: FaultEvent, noticed: int | None) -> Figures:
+def _drawn_back(trace: Trace) -> float | None:
+    """Seconds of drawing back; None where the arm did not."""
+    back = np.flatnonzero([phase == WITHDRAW for phase in trace.phases])
+    moving = back[trace["speed"][back] > REST_SPEED]
+    return float(trace["t"][moving[-1]] - trace["t"][back[0]]) if len(moving) else None
+
+
+def _figures(
+    trace: Trace, event: FaultEvent, noticed: int | None, recovery: float | None
+) -> Figures:
     t, begin = trace["t"], event.t * 1e-9
     first = int(np.searchsorted(t, begin))
     since = slice(first, None)
@@ -60,6 +86,7 @@ def _figures(trace: Trace, event: FaultEvent, noticed: int | None) -> Figures:
         None if reaction is None else _stood(trace, since, begin, reaction),
         float(force.max(initial=0.0)),
         float((force > 1.0).sum()) * step,
+        recovery,
     )
 
 
@@ -74,7 +101,7 @@ def _stood(trace: Trace, since: slice, begin: float, reaction: float) -> float |
     One that stood at the time anyway stands for good from the reaction on.
     """
     moving = (trace["speed"][since] > REST_SPEED) | (trace["turning"][since] > REST_TURN)
-    moving &= np.array([phase != "withdraw" for phase in trace.phases[since]])
+    moving &= np.array([phase != WITHDRAW for phase in trace.phases[since]])
     at = np.flatnonzero(moving)
     if not len(at):
         return reaction

@@ -25,8 +25,14 @@ class Entry(BaseModel):
     reaction: Reaction
     when: Mapping[str, tuple[float, float] | tuple[str, ...]] = {}
     budget_ms: float = Field(ge=0)
+    recovery_ms: float = Field(default=0.0, ge=0)
     requirement: str
     test: str
+
+    @property
+    def comes_back(self) -> bool:
+        """Whether the near side is brought up again once such a fault is over."""
+        return self.reaction == "stop" and self.recovery_ms > 0.0
 
     def stops(self, fault: Fault) -> bool:
         """Whether this very fault has to stop the arm."""

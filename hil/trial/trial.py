@@ -1,5 +1,6 @@
 """One run of a rig under a schedule of faults: the whole of it, from power-up to a verdict."""
 
+import re
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
@@ -22,6 +23,7 @@ from hil.cell.faults.log import FaultEvent, idle
 from hil.cell.faults.schedule import Numbered, Schedule
 from hil.cell.injection.places import OF_A_RUN
 from hil.cell.rig import Rig
+from hil.trial import recovery
 from hil.trial.disk import recording
 from hil.trial.drive import Driven, Driver
 from hil.trial.figures import Figures, figures
@@ -40,6 +42,8 @@ PATIENCE: Final = 15.0
 """Wall s of silence on a link that are no dead link: campaigns share their machine."""
 SCRIPTED: Final = ("pose", "spiral", "random", "oracle")
 """Policies by name; every other name is a learner's."""
+_PORT: Final = re.compile(r"(?<=\d\.\d):\d+")
+"""Behind an address: a cell on free ports has others each time."""
 AFTERMATH: Final = 1.0
 """Bench seconds that the cell goes on without its host: longer than any stop may take."""
 
@@ -74,7 +78,8 @@ class Trial:
 
     @property
     def digest(self) -> str:
-        hashed = sha256(f"{self.verdict}\0{self.reason}\0{self.outcome}\0{self.error}\0".encode())
+        told = f"{self.verdict}\0{self.reason}\0{self.outcome}\0{self.error}\0"
+        hashed = sha256(_PORT.sub("", told).encode())
         hashed.update(self.trace.digest.encode())
         for event in self.events:
             hashed.update(f"{event.t} {event}\0".encode())
@@ -89,16 +94,18 @@ def run_trial(
     policy: "str | Policy" = "pose",
     part: str = "",
     longest: float = LONGEST,
+    back: bool = True,
 ) -> Trial:
     """Serve the rig's cell in this process in lockstep, drive one assembly, judge it.
 
     policy: a name as of `hil run` or of a learner, or a policy of one's own. longest: bench s that
-    are no hang. Raises RigError, FaultError and UnknownLearnerError for what cannot be run at all,
-    and nothing else.
+    are no hang. back: whether the near side is brought up again after the run, where the FMEA wants
+    it to come back from a fault. Raises RigError, FaultError and UnknownLearnerError for what
+    cannot be run at all, and nothing else.
     """
     plan = start_plan(rig, part_named(rig, part or rig.first_part), seed)
     driver = Driver(rig, sampler := Sampler(rig), round(longest * NS))
-    ran = _Run(rig, seed, schedule, policy, plan).drive(driver, sampler)
+    ran = _Run(rig, seed, schedule, policy, plan, back).drive(driver, sampler)
     judgement = sampler.judge.judgement
     verdict, reason = _verdict(ran.driven, ran.died, judgement, ran.events)
     return Trial(
@@ -110,7 +117,7 @@ def run_trial(
         error=_words(ran.driven.error),
         trace=sampler.trace,
         events=ran.events,
-        faults=figures(sampler.trace, ran.events, sampler.noticed),
+        faults=figures(sampler.trace, ran.events, sampler.noticed, ran.recovered),
         robustness=judgement.robustness,
         violations=judgement.violations,
         health=ran.health,
@@ -127,6 +134,7 @@ class _Ran(NamedTuple):
     events: tuple[FaultEvent, ...]
     health: SensorHealth
     log: tuple[tuple[int, str], ...]
+    recovered: dict[int, float]
 
 
 class _Run(NamedTuple):
@@ -137,6 +145,7 @@ class _Run(NamedTuple):
     schedule: Schedule | None
     policy: "str | Policy"
     plan: Plan
+    back: bool
 
     def drive(self, driver: Driver, sampler: Sampler) -> _Ran:
         rig, seed = self.rig, self.seed
@@ -158,7 +167,17 @@ class _Run(NamedTuple):
                 host.news()
             told = events(cell.served) + (host.events if host is not None else ())
             log = cell.served.bench.arm.log
-        return _Ran(driven, died, tuple(sorted(told, key=lambda event: event.t)), health, log)
+            sampler.bench = None  # the run is over
+            recovered = self._recover(cell, told) if died is None and self.back else {}
+        happened = tuple(sorted(told, key=lambda event: event.t))
+        return _Ran(driven, died, happened, health, log, recovered)
+
+    def _recover(self, cell: InlineCell, told: tuple[FaultEvent, ...]) -> dict[int, float]:
+        """How long the way back took, by the index of each fault that wants one."""
+        numbered = () if self.schedule is None else self.schedule.numbered(self.seed)
+        faults = recovery.wanted(numbered, told, load())
+        seconds = recovery.recover(cell, self.rig, PATIENCE) if faults else None
+        return {} if seconds is None else dict.fromkeys(faults, seconds)
 
     def _arm(
         self,

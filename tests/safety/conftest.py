@@ -23,7 +23,7 @@ def assembly(kind, params=None, at="phase: pick up", after=40, cycles=None, poli
     begins = Trigger(event=event("event", at), offset=Span(cycles=after)) if at else AT_ONCE
     lasts = None if cycles is None else Span(cycles=cycles)
     faults = Schedule((Fault(kind, params or {}, begins, lasts),))
-    return run_trial(rig, 1, faults, policy=policy, longest=LONGEST)
+    return run_trial(rig, 1, faults, policy=policy, longest=LONGEST, back=False)
 
 
 def safe(trial):

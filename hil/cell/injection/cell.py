@@ -38,6 +38,12 @@ class InjectedCell(ServedCell):
         assert isinstance(self.server, InjectedServer)
         self.server.leave(duration)
 
+    @property
+    def deserted(self) -> bool:
+        """Whether the cell goes on without anybody, as nobody can come back yet."""
+        assert isinstance(self.server, InjectedServer)
+        return self.server.deserted
+
     def give_up(self) -> None:
         """Cut clients off, as their own limit on silence would: here no clock runs towards it."""
         assert isinstance(self.server, InjectedServer)

@@ -70,6 +70,11 @@ class InjectedServer(UrServer):
         """For so long, ns, no client is heard or hears anything; the cell goes on meanwhile."""
         self._rtde_link.absent = self._rtde_link.now + duration
 
+    @property
+    def deserted(self) -> bool:
+        """Whether no client is heard or hears anything now."""
+        return self._rtde_link.absent > self._rtde_link.now
+
     def cut_off(self, why: str) -> None:
         """Drop every RTDE client."""
         for connection, _ in tuple(self._rtde):
@@ -83,7 +88,7 @@ class InjectedServer(UrServer):
         """A cell whose only client is gone goes on as if it had been told to."""
         self._injection.hear()
         count = super().take_commands()
-        return count or int(not self._rtde and self._rtde_link.absent > self._rtde_link.now)
+        return count or int(not self._rtde and self.deserted)
 
     @property
     def next_due(self) -> int | None:

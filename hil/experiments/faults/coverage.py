@@ -13,14 +13,14 @@ from hil.experiments.faults.experiment import FUNCTION
 from hil.trial.fmea import load
 
 NOT_HERE: Final = "-"
-FIGURES: Final = ("detected", "reacted", "stood", "force/f_b")
+FIGURES: Final = ("detected", "reacted", "stood", "force/f_b", "ready")
 
 
 @dataclass(frozen=True, slots=True)
 class Covered:
     """One fault. owed: what the FMEA file asks for. active: runs by phase in which it had its first
     effect; None where it makes no sense. verdicts: of all its runs. detection, reaction, stop (s),
-    exposure (|f| / f_b): the worst of its runs; None where no run had to be stopped.
+    recovery (s), exposure (|f| / f_b): the worst of its runs; None where none had it.
     """
 
     id: str
@@ -32,6 +32,7 @@ class Covered:
     reaction: float | None
     stop: float | None
     exposure: float
+    recovery: float | None
 
     @property
     def open(self) -> tuple[str, ...]:
@@ -64,6 +65,7 @@ def _covered(row: Row, owed: str, own: Sequence[Entry]) -> Covered:
         reaction=_worst(active, "reaction"),
         stop=_worst(active, "stop"),
         exposure=_worst(active, "exposure") or 0.0,
+        recovery=_worst(active, "recovery"),
     )
 
 
@@ -124,7 +126,7 @@ def _counts(row: Covered) -> list[str]:
 
 def _figures(row: Covered) -> tuple[str, ...]:
     times = (_ms(time) for time in (row.detection, row.reaction, row.stop))
-    return (*times, f"{row.exposure:.2f}")
+    return (*times, f"{row.exposure:.2f}", _ms(row.recovery))
 
 
 def _verdicts(row: Covered) -> str:

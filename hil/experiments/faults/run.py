@@ -13,7 +13,7 @@ from hil.cell.faults.row import Place, phase_of
 from hil.cell.faults.schedule import Schedule
 from hil.cell.rig import parse
 from hil.trial.figures import Figures
-from hil.trial.fmea import load
+from hil.trial.fmea import Entry, load
 from hil.trial.trial import Trial, run_trial
 from hil.trial.verdict import Verdict
 
@@ -26,7 +26,7 @@ def one(run: Run) -> Report:
     trial = run_trial(rig, run.seed, Schedule((chosen,)), policy=policy)
     entry = load()[chosen.kind]
     owed = trial.faults if entry.stops(chosen) else ()
-    over = late(owed, trial.events, entry.budget_ms)
+    over = late(owed, trial.events, entry.budget_ms) or lost(trial.faults, trial.events, entry)
     verdict = Ended.FAILED if over and trial.verdict is Verdict.PASSED else _ended(trial)
     return Report(_figures(trial, chosen.kind), verdict, over or trial.reason)
 
@@ -41,6 +41,21 @@ def late(faults: Iterable[Figures], events: Sequence[FaultEvent], budget: float)
         stop = 0.0 if found.stop is None else found.stop * 1e3
         if stop > budget and _lasted(found, events) * 1e3 > budget:
             return f"{found.kind}: standstill after {stop:.0f} ms, budget {budget:g} ms"
+    return ""
+
+
+def lost(faults: Iterable[Figures], events: Sequence[FaultEvent], entry: Entry) -> str:
+    """From what the near side did not come back within its budget; "" for nothing.
+
+    What is still in force, or never stopped the arm, need not be come back from.
+    """
+    budget = entry.recovery_ms
+    for found in faults:
+        cleared = any(e.index == found.index and e.stage is Stage.CLEARED for e in events)
+        owed = budget and (cleared if entry.comes_back else found.recovery is not None)
+        if owed and (found.recovery is None or found.recovery * 1e3 > budget):
+            took = "never" if found.recovery is None else f"after {found.recovery * 1e3:.0f} ms"
+            return f"{found.kind}: ready again {took}, budget {budget:g} ms"
     return ""
 
 
