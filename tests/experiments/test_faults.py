@@ -72,7 +72,7 @@ def ran(kind, phase, verdict=Verdict.PASSED, **figures):
 def test_coverage_counts_what_was_active_and_keeps_the_worst_figures():
     rows = coverage(
         [
-            ran("C1", "contact", detection=0.01, reaction=0.02, stop=0.1, exposure=0.4),
+            ran("C1", "contact", detection=0.01, reaction=0.02, stop=0.1, exposure=0.4, recovery=2),
             ran("C1", "search", detection=0.03, reaction=None, stop=None, exposure=0.2),
             ran("P3", "", Verdict.VACUOUS),
         ]
@@ -86,7 +86,7 @@ def test_coverage_counts_what_was_active_and_keeps_the_worst_figures():
     assert found["P3"].active == dict.fromkeys(Phase) | {"search": 0, "insert": 0}
     assert found["P3"].verdicts == {"vacuous": 1}
     page = as_markdown(rows, "hil experiment faults --each")
-    figures = "30 ms | 20 ms | 100 ms | 0.40 | 2 passed |"
+    figures = "30 ms | 20 ms | 100 ms | 0.40 | 2000 ms | 2 passed |"
     assert f"| C1 `can.drop` | stop | 0 | 0 | 1 | 1 | 0 | 0 | {figures}" in page.splitlines()
     assert found["T6"].open == ("free",)
     assert "3 runs (2 passed, 1 vacuous)" in page

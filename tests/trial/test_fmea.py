@@ -79,8 +79,9 @@ def test_a_fault_that_may_be_ridden_out_owes_none():
     assert owed("T7", event(Stage.ACTIVE, "T7")) == (1, False)
 
 
-def test_the_four_figures_count_from_the_faults_first_effect():
+def test_the_figures_count_from_the_faults_first_effect():
     columns = {name: np.zeros(100) for name in NAMES}
+    columns["running"][:] = 1.0
     columns["t"] = np.arange(1, 101) * 8e-3
     columns["speed"][:60] = 0.1
     columns["stopping"][50:] = 1.0
