@@ -46,6 +46,13 @@ def test_a_users_own_drivers_and_fixtures_live_beside_ours(child):
     result.assert_outcomes(passed=2)
 
 
+@pytest.mark.parametrize("name", ["strategies", "testbed", "visits", "law_contract"])
+def test_what_a_user_imports_first_finds_its_rooms_beside_theirs(child, name):
+    text = f"from drivers import my_arm\nfrom hil_fixtures import {name}\n"
+    result = child(test_first=text + "def test_it(): from drivers.ur.arm import UrArm\n")
+    result.assert_outcomes(passed=1)
+
+
 def test_a_module_that_both_have_is_named_in_one_line(child, repository):
     repository.makepyfile(**{"drivers/errors": ""})
     result = child(BENCH, test_it="def test_it(rig): rig.bed")
