@@ -1,12 +1,14 @@
 """A world of one slot in a box of poses, after a model's numbers."""
 
+from math import hypot
+
 import numpy as np
 
 from controller.action import Action, Observation
 from controller.outcome import Kind
 from learner.grid import Cell, Grid
 from learner.worlds.interface import Met
-from learner.worlds.model import STEP, TURN, Model
+from learner.worlds.model import STEP, TURN, Ends, Model
 
 _TELLS = 3
 """Steps from the slot, along every axis, within which forces may show the way."""
@@ -51,12 +53,16 @@ class SlotWorld:
         self._over = True
 
     def begin(self) -> Observation:
-        """At the box's middle, or anywhere in it, with nothing lagging or slipped."""
+        """At the box's middle, or anywhere in it, with nothing lagging or slipped.
+
+        A part that goes in there ends the episode with its first step, which is not taken.
+        """
         self.jaws = Cell(0, 0, 0)
         if self.model.random_start:
             self.jaws = self.grid.at(int(self._rng.integers(self.grid.states)))
         self._behind, self._slipped = [0.0, 0.0], [0.0, 0.0]
         self._caught = self._meets_mouth()
+        self._fell_in = self._goes_in()
         self._steps, self._over = 0, False
         return self._seen()
 
@@ -64,7 +70,7 @@ class SlotWorld:
         if self._over:
             raise ValueError("the episode is over: begin another one")
         self._steps += 1
-        ending = self._happens(action)
+        ending = Kind.INSERTED if self._fell_in else self._happens(action)
         if ending is None and self._steps >= self.model.max_steps:
             ending = Kind.LIMIT
         self._over = ending is not None
@@ -85,13 +91,13 @@ class SlotWorld:
         if self._caught:
             return self._slides(action)
         model, before = self.model, self.jaws
-        strained = self._strained(action)
-        stopped = self._move(action)
-        if strained or (stopped and self._chance(model.edge_hazard)) or self._chance(model.hazard):
+        overstrained, stopped = self._move(action)
+        edge = stopped and self._chance(model.edge_hazard)
+        if overstrained or edge or self._chance(model.hazard):
             return Kind.DANGER
         if self._chance(model.slip):
             self._slip()
-        if self._within(model.capture) and self._chance(model.insertion):
+        if self._goes_in():
             return Kind.INSERTED
         if self._meets_mouth():
             self._catch(before)
@@ -101,11 +107,8 @@ class SlotWorld:
             return Kind.DANGER
         return None
 
-    def _strained(self, action: Action) -> bool:
-        """Whether a step along x, the part dragging behind already, passes the force bound."""
-        model = self.model
-        against = -action.sign * self._behind[0] > model.strain * model.lag[0]
-        return action.axis == 0 and against and self._chance(model.strained)
+    def _goes_in(self) -> bool:
+        return self._within(self.model.capture) and self._chance(self.model.insertion)
 
     def _catch(self, before: Cell) -> None:
         """The walls take the tip; the jaws give way to them, back to where they were if nearer."""
@@ -118,21 +121,43 @@ class SlotWorld:
         """In the mouth: nothing but a step along x leads on, until the part is in line."""
         if action.axis != 0:
             return Kind.INSERTED if self._within(self.model.capture) else None
-        away = action.sign * self.error[0] >= 0 and abs(self.error[0]) <= 1.0
+        before, line = abs(self.error[0]), self.model.capture[0]
         self.jaws = self.grid.moved(self.jaws, action)
-        if abs(self.error[0]) <= self.model.capture[0] and self._chance(self.model.insertion):
-            return Kind.INSERTED
-        return Kind.DANGER if away and self._chance(self.model.wrenched) else None
+        after = abs(self.error[0])
+        if min(before, after) <= line and self._chance(self.model.wrenched):
+            return Kind.DANGER
+        return Kind.INSERTED if after <= line and self._chance(self.model.insertion) else None
 
-    def _move(self, action: Action) -> bool:
-        """True when the box's edge stopped the step."""
-        before, self.jaws = self.jaws, self.grid.moved(self.jaws, action)
-        if self.jaws == before:
-            return True
-        if action.axis < 2:
-            lag, behind = self.model.lag[action.axis], self._behind[action.axis] - action.sign
-            self._behind[action.axis] = max(-lag, min(lag, behind))
-        return False
+    def _move(self, action: Action) -> tuple[bool, bool]:
+        """Whether the part was held and the jaws went too far, and whether the box's edge stopped
+        the step.
+        """
+        before, held = self.jaws, self._held(action)
+        self.jaws = self.grid.moved(before, action)
+        stopped = self.jaws == before
+        if action.axis < 2 and not stopped:
+            self._behind[action.axis] -= action.sign
+            if held:
+                return abs(self._behind[0]) > held.strain, False
+            self._drag()
+        return False, stopped
+
+    def _held(self, action: Action) -> Ends | None:
+        """The ends of the slot, when one of them holds the part against this step."""
+        ends = self.model.ends
+        if ends is None or action.axis != 0:
+            return None
+        met = ends.meets(self.error, action.sign, self.model.capture[0])
+        return ends if met and self._chance(ends.held) else None
+
+    def _drag(self) -> None:
+        """Friction lets the part lag no further than it can."""
+        (bx, by), (lx, ly) = self._behind, self.model.lag
+        if self.model.friction_circle:
+            beyond = max(1.0, hypot(bx / lx, by / ly))
+            self._behind = [bx / beyond, by / beyond]
+        else:
+            self._behind = [max(-lx, min(lx, bx)), max(-ly, min(ly, by))]
 
     def _slip(self) -> None:
         axis = int(self._rng.integers(2))
