@@ -62,6 +62,7 @@ class SlotWorld:
             self.jaws = self.grid.at(int(self._rng.integers(self.grid.states)))
         self._behind, self._slipped = [0.0, 0.0], [0.0, 0.0]
         self._caught = self._meets_mouth()
+        self._rest = self.jaws
         self._fell_in = self._goes_in()
         self._steps, self._over = 0, False
         return self._seen()
@@ -116,13 +117,19 @@ class SlotWorld:
         aligned = self.slot[1] - self._grip[1]
         if abs(before.y - aligned) < abs(self.jaws.y - aligned):
             self.jaws = before
+        self._rest = self.jaws
 
     def _slides(self, action: Action) -> Kind | None:
-        """In the mouth: nothing but a step along x leads on, until the part is in line."""
-        if action.axis != 0:
-            return Kind.INSERTED if self._within(self.model.capture) else None
+        """In the mouth: nothing but a step along x leads on, until the part is in line.
+
+        The walls hold the part, not the jaws: these turn, and go along y until the next step.
+        """
         before, line = abs(self.error[0]), self.model.capture[0]
-        self.jaws = self.grid.moved(self.jaws, action)
+        self.jaws = self.grid.moved(self._rest, action)
+        if action.axis != 1:
+            self._rest = self.jaws
+        if action.axis != 0:
+            return None
         after = abs(self.error[0])
         if min(before, after) <= line and self._chance(self.model.wrenched):
             return Kind.DANGER

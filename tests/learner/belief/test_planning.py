@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from controller.action import Action
+from learner.belief.hazard import Hazard
 from learner.belief.planning import Plan
 from learner.grid import Cell
 from learner.tabular.dice import words
@@ -75,3 +76,15 @@ def test_a_dangerous_pose_is_gone_around():
     plan = Plan((3, 3, 1))
     plan.improve(success, hazard, gamma=0.9, danger=3.0, sweeps=20)
     assert Action(plan.step(Cell(0, 0, 0), DICE)) is Action.PLUS_Y
+
+
+@given(st.integers(0, 2**32 - 1), st.floats(0.0, 5.0), st.floats(0.0, 0.1))
+def test_where_every_pose_is_as_dangerous_as_any_the_cost_of_a_danger_changes_no_plan(
+    seed, danger, base
+):
+    success = np.random.default_rng(seed).random(SHAPE)
+    plain, costly = Plan(SHAPE), Plan(SHAPE)
+    unseen = Hazard(SHAPE, base).excess
+    plain.improve(success, np.zeros(SHAPE), gamma=0.9, danger=0.0, sweeps=12)
+    costly.improve(success, unseen, gamma=0.9, danger=danger, sweeps=12)
+    assert costly.worth == pytest.approx(plain.worth, abs=1e-12)

@@ -27,12 +27,21 @@ def test_a_part_beside_the_middle_of_the_slot_is_caught_and_shows_it():
     assert seen.z < -0.2e-3
 
 
-def test_a_caught_part_stays_whatever_it_does_across_the_slot():
+def test_a_caught_part_stays_whatever_the_jaws_do_across_the_slot():
     world, seen = caught((3.0, 0.0, 0.0))
     for action in (Action.PLUS_Y, Action.MINUS_THETA, Action.PLUS_THETA, Action.MINUS_Y):
         met = world.step(action)
         assert met.ending is None
-        assert (met.observation.x, met.observation.y, met.observation.z) == (seen.x, seen.y, seen.z)
+        assert (met.observation.x, met.observation.z) == (seen.x, seen.z)
+
+
+def test_the_jaws_turn_over_a_caught_part_and_come_back_along_y():
+    world, seen = caught((3.0, 0.0, 0.0))
+    across = world.step(Action.PLUS_Y).observation
+    turned = world.step(Action.PLUS_THETA).observation
+    assert across.y > seen.y
+    assert turned.y == seen.y
+    assert turned.theta > seen.theta
 
 
 def test_the_way_along_the_slot_sinks_and_ends_in_it():
