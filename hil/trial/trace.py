@@ -1,7 +1,7 @@
 """Signals of a whole run, a row a control period of the cell."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from hashlib import sha256
 
 import numpy as np
@@ -15,8 +15,8 @@ from hil.trial.signals import NAMES, SCALES
 class Trace:
     """columns: by signal, of one length. phases: the job's own name for each period's phase."""
 
-    columns: Mapping[str, NDArray[np.float64]]
-    phases: tuple[str, ...]
+    columns: Mapping[str, NDArray[np.float64]] = field(repr=False)
+    phases: tuple[str, ...] = field(repr=False)
 
     def __len__(self) -> int:
         return len(self.phases)

@@ -55,3 +55,8 @@ def test_a_fault_that_acts_after_the_last_period_shows_nothing():
     figure = found(at=COUNT + 1, speed=[(0, COUNT, 0.1)], stopping=STOPS, force=[(0, COUNT, 2.0)])
     assert (figure.detection, figure.reaction, figure.stop) == (None, None, None)
     assert (figure.exposure, figure.over) == (0.0, 0.0)
+
+
+def test_a_trace_in_a_failing_assertion_does_not_bury_it():
+    columns = {name: np.zeros(COUNT) for name in NAMES}
+    assert repr(Trace(columns, ("search",) * COUNT)) == "Trace()"
