@@ -32,7 +32,7 @@ PART: Final = (
     ),
     Row(
         "P2", "plant.stiffness", "Stiffness or friction changed", Place.PLANT,
-        (Parameter("stiffness", 3.0, "", 0.01, 10.0), Parameter("friction", 1.0, "", 0.0, 10.0)),
+        (Parameter("stiffness", 3.0, "", 0.01, 6.0), Parameter("friction", 1.0, "", 0.0, 10.0)),
         "adaptive gains converge, no overshoot beyond f_b",
         "overshoot; gains bounded",
         phases=TOUCHING,
