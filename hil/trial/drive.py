@@ -25,8 +25,8 @@ from hil.app.watched import watched
 from hil.cell.rig import Rig
 from hil.trial.sampler import Sampler
 
-_HEAD: Final = Struct(">4xii6d")
-"""Head of an RTDE package; command, sequence and set-point: the recipe's first inputs."""
+_COMMAND: Final = Struct(">4xii6dBBi")
+"""An RTDE package of the recipe's inputs: command, sequence, set-point, outputs, cycle answered."""
 
 
 class Overtime(BaseException):
@@ -72,9 +72,9 @@ class Driver:
             if t - self._began > self._longest:
                 raise Overtime
             return
-        command, sequence, *pose = _HEAD.unpack_from(package)
+        command, sequence, *pose, _, _, answered = _COMMAND.unpack_from(package)
         self._sampler.finite = all(map(isfinite, pose))
-        self._sampler.command(sequence, t, stopping=command != Command.SERVO)
+        self._sampler.command((sequence, answered), t, stopping=command != Command.SERVO)
 
     def run(self, near: NearSide, plan: Plan, policy: Policy) -> Driven:
         """Everything from power-up to the arm at rest; raises nothing."""

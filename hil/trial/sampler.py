@@ -22,7 +22,7 @@ from hil.trial.trace import Trace, trace
 from hil.trial.truth import Push, Vector4
 from hil.trial.verdict import Judge
 
-_COMMAND, _ECHO = 24, 24
+_COMMAND, _ANSWERED, _ECHO = 24, 26, 24
 _SAFE: Final = (SafetyMode.NORMAL, SafetyMode.REDUCED)
 REMEMBERED: Final = 4096
 """Commands whose time of reading is known: 8 s of them at 500 Hz."""
@@ -53,6 +53,7 @@ class Sampler:
         self._phases: list[str] = []
         self._reads: deque[tuple[int, int]] = deque(maxlen=REMEMBERED)
         self._upon = self._burst = 0
+        self._sent: dict[int, int] = {}
         self._followed: int | None = None
         self._target: tuple[float, ...] = ()
         self.bench: Bench | None = None
@@ -62,8 +63,11 @@ class Sampler:
         self._measured: Vector4 = (0.0, 0.0, 0.0, 0.0)
         self._age, self._steps = 0, 0
 
-    def command(self, sequence: int, read: int, *, stopping: bool) -> None:
-        """The near side sent this command, knowing the package of controller time `read`, ns."""
+    def command(self, name: tuple[int, int], read: int, *, stopping: bool) -> None:
+        """The near side sent this command, knowing the package of controller time `read`, ns.
+
+        name: its sequence and the robot's cycle that it answers.
+        """
         withdrawing = self.running and self.noticed is not None and not stopping
         if withdrawing:  # the job is over, and the arm draws back from what ended it
             self.phase = "withdraw"
@@ -74,7 +78,11 @@ class Sampler:
         if not stopping:
             self._upon += 1
             self._burst = max(self._burst, self._upon)
+        sequence, answered = name
         self._reads.append((sequence, read))
+        self._sent[sequence] = answered
+        if len(self._sent) > REMEMBERED:
+            del self._sent[next(iter(self._sent))]
 
     def package(self) -> None:
         """The near side read a package: it may answer once."""
@@ -140,10 +148,17 @@ class Sampler:
         step = dist(tip, last[:3]) if last else 0.0
         turn = hypot(heading[0] - last[3], heading[1] - last[4]) if last else 0.0
         age = self._command_age(sequence, t) if servoing else 0.0
-        order = _onward(self._followed, sequence) if servoing else 0
-        self._followed = sequence if servoing else None
+        order = self._order(sequence, integers[_ANSWERED]) if servoing else 0
+        self._followed = self._followed if servoing else None
         stopping = self.stopping or not plays
         return (age, float(self._burst), float(order), float(servoing), float(stopping), step, turn)
+
+    def _order(self, sequence: int, answered: int) -> int:
+        """Commands by which the one followed is newer than the last one; 0 for a bent number."""
+        if self._sent.get(sequence) != answered:
+            return 0
+        last, self._followed = self._followed, sequence
+        return _onward(last, sequence)
 
     def _command_age(self, sequence: int, t: int) -> float:
         """How old the state is that this command answers, s; 0 for one that is not the near's."""
