@@ -12,7 +12,7 @@ from controller.course import Course, Phase
 from controller.cycle import Cycle
 from controller.job import assembly
 from controller.loop import Job, Loop
-from controller.outcome import Ending, Outcome
+from controller.outcome import Ending, Kind, Outcome
 from controller.place import Place
 from controller.settings import Plan
 from controller.start import bring_up
@@ -27,6 +27,9 @@ from hil.trial.sampler import Sampler
 
 _COMMAND: Final = Struct(">4xii6dBBi")
 """An RTDE package of the recipe's inputs: command, sequence, set-point, outputs, cycle answered."""
+
+
+BROKEN_OFF: Final = (Kind.DANGER, Kind.FAULT)
 
 
 class Overtime(BaseException):
@@ -49,6 +52,11 @@ class Driven:
     error: BaseException | None
     started: bool
     overtime: bool
+
+    @property
+    def broken_off(self) -> bool:
+        """Whether the job did not come to an end of its own."""
+        return self.outcome is None or self.outcome.kind in BROKEN_OFF
 
 
 class Driver:

@@ -46,13 +46,16 @@ def figures(
     events: Iterable[FaultEvent],
     noticed: int | None,
     recovered: Mapping[int, float] = NOTHING,
+    *,
+    broken_off: bool = False,
 ) -> tuple[Figures, ...]:
     """Of each fault that was active. noticed: arm time of the near side's stop, ns. recovered: how
-    long it took to be ready again, s, by the fault's index.
+    long it took to be ready again, s, by the fault's index. broken_off: the job did not come to an
+    end of its own; with a link that is cut it is over before the robot's next period tells so.
     """
     active = (event for event in events if event.stage is Stage.ACTIVE)
     return tuple(
-        _figures(trace, event, noticed, recovered.get(event.index, _drawn_back(trace)))
+        _figures(trace, event, noticed, recovered.get(event.index, _drawn_back(trace)), broken_off)
         for event in active
     )
 
@@ -65,13 +68,19 @@ def _drawn_back(trace: Trace) -> float | None:
 
 
 def _figures(
-    trace: Trace, event: FaultEvent, noticed: int | None, recovery: float | None
+    trace: Trace,
+    event: FaultEvent,
+    noticed: int | None,
+    recovery: float | None,
+    broken_off: bool,
 ) -> Figures:
     t, begin = trace["t"], event.t * 1e-9
     first = int(np.searchsorted(t, begin))
     since = slice(first, None)
     force = trace["force"][since]
-    stopped = (trace["stopping"][since] > 0.5) & (trace["running"][since] > 0.5)
+    stopped = trace["stopping"][since] > 0.5
+    if not broken_off:  # what ends in peace comes to rest too
+        stopped &= trace["running"][since] > 0.5
     reaction = _first(t[since], stopped, begin)
     seen = None if noticed is None or noticed * 1e-9 < begin else noticed * 1e-9 - begin
     known = [latency for latency in (seen, reaction) if latency is not None]

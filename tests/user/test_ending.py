@@ -23,7 +23,7 @@ BRINGING_UP = """
 import os, signal, sys
 import hil.app.run
 from hil.cli.main import main
-hil.app.run.bring_up = lambda arm, sensor: (arm.connect(), os.killpg(0, signal.SIGINT))
+hil.app.run.bring_up = lambda arm, sensor, load: (arm.connect(), os.killpg(0, signal.SIGINT))
 main()
 """
 
