@@ -1,6 +1,7 @@
 """Drawing back from what was met where nothing should be."""
 
 from dataclasses import replace
+from math import dist
 
 from controller.course import Course, Phase
 from controller.outcome import Ending, Kind
@@ -15,5 +16,4 @@ def withdraw(course: Course, clear: Place) -> Phase[Ending]:
     course.name = "withdraw"
     begin = course.setpoint
     yield from move(course, clear, replace(Travel(), speed=LEAVING_SPEED, acceleration=0.2))
-    away = sum((a - b) ** 2 for a, b in zip(clear[:3], begin[:3], strict=True)) ** 0.5
-    return Ending(Kind.DONE, f"drew back {away * 1e3:.2g} mm")
+    return Ending(Kind.DONE, f"drew back {dist(clear[:3], begin[:3]) * 1e3:.2g} mm")

@@ -10,13 +10,11 @@ import numpy as np
 from hil.app.undisturbed import undisturbed
 from hil.bench.case import Case
 from hil.bench.ring import ring
-from hil.bench.run import speed
+from hil.bench.run import START, speed
 from hil.cell.errors import RigError
 from hil.cell.rig import Rig
 from hil.experiments.press import Press, over_connector
 
-ASIDE = 1.2e-3
-"""Four of the paper's steps off the slot in x and y: on the face, as the cases press."""
 SETTLED = 2.0
 """Bench seconds before the ring's clock is read: pressed and warm."""
 
@@ -54,9 +52,10 @@ def compare(rig: Rig, rig_text: bytes, case: Case, seconds: float, pairs: int) -
 def ring_speed(rig: Rig, contact: bool, seconds: float) -> float:
     """How many times real time the ring presses the cable on the face, or holds it above."""
     period = rig.robot.period
-    placed = over_connector(rig, ASIDE, ASIDE)
+    x, y = (cells * rig.task.step for cells in START[:2])
+    placed = over_connector(rig, x, y)
     with undisturbed(wanted=True), ring(placed, np.random.default_rng(0)) as bare:
-        trial = Press(lambda _rig, _rng: bare, rig, ASIDE, ASIDE, period=period)
+        trial = Press(lambda _rig, _rng: bare, rig, x, y, period=period)
         advance = trial.press if contact else trial.move
         for _ in range(round(SETTLED / period * 1e9)):
             advance()

@@ -14,8 +14,9 @@ from typing import Final
 import can
 import numpy as np
 
-from drivers.protocol.nrs_can import FORCE_LSB, TORQUE_LSB, Identifiers
+from drivers.protocol.nrs_can import COUNT_LIMIT, FORCE_LSB, TORQUE_LSB, Identifiers
 from drivers.protocol.nrs_sample import decode_pair, encode_pair
+from drivers.protocol.rtde import PackageType
 from hil.cell.plant.ffc import FfcPlant
 from hil.cell.plant.interface import Array, Plant, PlantStep, StageTarget
 from hil.cell.rig import Rig
@@ -25,7 +26,6 @@ IDENTIFIERS: Final = Identifiers.of(1)
 LSB: Final = np.array([FORCE_LSB] * 3 + [TORQUE_LSB] * 3)
 COMMAND: Final = struct.Struct(">HBB4d?Q")
 STATE: Final = struct.Struct(">HBBd4d4d14dII6dii")
-PACKAGE: Final = 85
 FILLER: Final = (0.0,) * 14 + (0, 0) + (0.0,) * 6 + (1, 2)
 """What else a recipe of twenty-odd variables carries: size, and time to pack it."""
 
@@ -68,7 +68,7 @@ class Ring:
     def step(self, target: StageTarget, duration: int) -> PlantStep:
         """One period round the ring; the part is told as it was at reset."""
         assert self._rest is not None, "reset first"
-        self._host.sendall(COMMAND.pack(COMMAND.size, PACKAGE, 1, *target, duration))
+        self._host.sendall(COMMAND.pack(COMMAND.size, PackageType.DATA, 1, *target, duration))
         wrenches = np.array([self._wrench() for _ in range(duration // 1_000_000)])
         state = STATE.unpack(_read(self._host, STATE.size))
         return PlantStep(wrenches, state[4:8], state[8:12], self._rest.part)
@@ -91,13 +91,12 @@ def _serve(plant: Plant, cell: socket.socket, bus: can.BusABC) -> None:
             for frame in encode_pair(IDENTIFIERS, counts, 0, count):
                 bus.send(message(frame))
         moved = (*step.stage, *step.velocity)
-        cell.sendall(STATE.pack(STATE.size, PACKAGE, 1, count * 1e-3, *moved, *FILLER))
+        cell.sendall(STATE.pack(STATE.size, PackageType.DATA, 1, count * 1e-3, *moved, *FILLER))
 
 
 def _counts(wrenches: Array) -> list[list[int]]:
-    limit = 1 << 16
     counts: list[list[int]] = (
-        np.rint(wrenches / LSB).clip(-limit, limit - 1).astype(np.int64).tolist()
+        np.rint(wrenches / LSB).clip(-COUNT_LIMIT, COUNT_LIMIT - 1).astype(np.int64).tolist()
     )
     return counts
 
