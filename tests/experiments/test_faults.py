@@ -62,6 +62,21 @@ def test_each_fault_is_tried_in_each_of_its_phases_once_the_arm_moves():
     assert begins["S5", Phase.FREE] == "phase: free"
 
 
+def test_a_random_fault_of_free_air_begins_once_the_arm_moves():
+    """At the start, where the arm stands, most of them were over without an effect."""
+    early = {
+        fault.kind
+        for fault in RUNS
+        if fault.trigger.event is not None and fault.trigger.event.name == "free"
+    }
+    assert early <= {row.id for row in CATALOGUE if row.phases == (Phase.FREE,)}
+
+
+def test_what_is_drawn_for_the_search_can_act_there():
+    blocked = [fault for fault in RUNS if fault.kind == "P3" and fault.word("what") == "blocked"]
+    assert {str(fault.trigger.event) for fault in blocked} == {"phase: insert"}
+
+
 def ran(kind, phase, verdict=Verdict.PASSED, **figures):
     """A run of a ledger: where the fault was active, "" for nowhere."""
     found = {"active": bool(phase), "phase": phase, "figures": figures}

@@ -13,7 +13,7 @@ from drivers.ur.sample import OUTPUTS
 from hil.app import near
 from hil.app.record import Lossy
 from hil.recording.channel import Channel
-from tests.safety.conftest import RIG
+from tests.safety.conftest import RIG, assembly, safe
 
 NOW = time.time
 
@@ -60,6 +60,13 @@ def test_a_part_that_does_not_go_in_is_a_danger_after_so_many_times(law):
     task = RIG.task.model_copy(update={"on_jam": "draw out", "max_jams": 1})
     rig = RIG.model_copy(update={"task": task})
     law.holds(given_up, insisting, "P3", at="phase: search", after=1, rig=rig)
+
+
+def test_a_slot_blocked_half_way_in_holds_the_part_up_and_does_not_push_it_out():
+    """The block came up inside the part, and pushed it with 18 N."""
+    blocked = assembly("P3", at="phase: insert", after=50)
+    assert safe(blocked)
+    assert blocked.faults[0].exposure < 1.5
 
 
 def staying(patch):

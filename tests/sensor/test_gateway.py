@@ -6,6 +6,7 @@ import can
 import cantools
 import numpy as np
 import pytest
+from can.util import channel2int
 
 import drivers.protocol
 from drivers.nrs.bus import open_bus
@@ -46,6 +47,12 @@ def test_auto_without_kernel_can_depends_on_where_the_driver_is(across, interfac
     one, two = (choose(CanBus(), across, []) for _ in range(2))
     assert one.interface == interface
     assert one.channel != two.channel or interface == "udp_multicast"
+
+
+def test_a_channel_of_ones_own_has_no_number_for_a_log_to_keep():
+    """Its last hex digits were one in ten times more than the 16 bits that a BLF file has."""
+    drawn = [choose(CanBus(), False, []).channel for _ in range(200)]
+    assert {channel2int(channel) for channel in drawn} == {None}
 
 
 def test_an_explicit_channel_is_kept():

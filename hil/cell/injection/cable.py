@@ -96,7 +96,8 @@ class InjectedFfcPlant(FfcPlant):
 
     def _damage(self, one: Running, t: int) -> None:
         if one.fault.word("what") == "blocked":
-            depth = min(one.fault.number("depth"), self._depth_of_slot)
+            # No deeper than the slot, and below the tip: what is there cannot come into the part.
+            depth = max(min(one.fault.number("depth"), self._depth_of_slot), self._depth)
             self.model.geom_pos[self._floor, 2] = -depth - BELOW / 2
             return
         self.model.qpos_spring[self._hinges] = one.fault.number("angle") / self._segments

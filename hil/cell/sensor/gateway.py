@@ -126,7 +126,8 @@ def choose(can_bus: CanBus, across_processes: bool, kernel: list[str]) -> BusAdd
 def _unique_channel(interface: str) -> str:
     """A channel of this run's own: two testbeds on one host must not hear each other."""
     if interface == "virtual":
-        return f"hil-{uuid4().hex[:8]}"
+        # Not digits last: python-can takes those for a channel number, and BLF has 16 bits for it.
+        return f"hil-{uuid4().hex[:8]}-bus"
     port = free_udp_port()
     return f"239.74.{port >> 8}.{port & 0xFF}:{port}"
 

@@ -1,7 +1,8 @@
 """Single faults: each one of the catalogue in each of its phases, or random ones."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import isfinite
+from types import MappingProxyType
 from typing import Final
 
 import numpy as np
@@ -15,24 +16,25 @@ from hil.cell.faults.trigger import Trigger
 
 MET: Final = ("G2", "P3", "P4", "L1", "L2", "L3", "L4", "L5")
 """Rows that act only where the job comes upon them: over before that, they would show nothing."""
+SHOWS: Final[Mapping[tuple[str, Phase], Mapping[str, Value]]] = MappingProxyType(
+    {("P3", Phase.SEARCH): {"what": "kink"}}
+)
+"""What of a row can act in a phase at all: a block is met only once the slot is found."""
 SPREAD: Final = 4.0
 """Random parameters lie within this factor of their defaults, and within their ranges."""
 LATEST: Final = 60
 """Control periods after the phase has begun, by which a random fault begins."""
+SOON: Final = 10
+"""The same for what the job has to meet: its search may be over after a few steps."""
 LONGEST: Final = 250
 """Control periods that half of the random lasting faults last at most; the others do to the end."""
 
 
 def each() -> Iterator[tuple[Fault, Phase]]:
-    """Every fault with its defaults in every phase where it makes sense, soon after that begins.
-
-    In free air once the arm moves, unless free air is all that the fault is for: then at the start.
-    """
+    """Every fault with its defaults in every phase where it makes sense, soon after that begins."""
     for row in CATALOGUE:
         for phase in row.phases:
-            early = phase is Phase.FREE and row.phases != (Phase.FREE,)
-            name = "pick up" if early else phase.value
-            yield Fault(row.id, {}, _trigger(row, name, 3)), phase
+            yield Fault(row.id, SHOWS.get((row.id, phase), {}), _trigger(row, phase, 3)), phase
 
 
 def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
@@ -40,17 +42,20 @@ def drawn(rng: np.random.Generator) -> tuple[Fault, Phase]:
     row = CATALOGUE[rng.integers(len(CATALOGUE))]
     phase = row.phases[rng.integers(len(row.phases))]
     values = {parameter.name: _value(parameter, rng) for parameter in row.parameters}
+    values |= SHOWS.get((row.id, phase), {})
     brief = row.lasting and not row.start and rng.random() < 0.5 and row.id not in MET
     lasts = Span(cycles=int(rng.integers(1, LONGEST))) if brief else None
-    return Fault(
-        row.id, values, _trigger(row, phase.value, int(rng.integers(LATEST))), lasts
-    ), phase
+    after = int(rng.integers(SOON if row.id in MET else LATEST))
+    return Fault(row.id, values, _trigger(row, phase, after), lasts), phase
 
 
-def _trigger(row: Row, phase: str, after: int) -> Trigger:
+def _trigger(row: Row, phase: Phase, after: int) -> Trigger:
+    """In free air once the arm moves, unless free air is all that the fault is for."""
     if row.start:
         return Trigger()
-    return Trigger(event=Event(Kind.PHASE, phase), offset=Span(cycles=after))
+    early = phase is Phase.FREE and row.phases != (Phase.FREE,)
+    name = "pick up" if early else phase.value
+    return Trigger(event=Event(Kind.PHASE, name), offset=Span(cycles=after))
 
 
 def _value(parameter: Parameter, rng: np.random.Generator) -> Value:
