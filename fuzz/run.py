@@ -11,6 +11,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 LIMIT_MB = 1024
 """Resident memory; a target that needs more has none of its bounds."""
+NUMERIC = ["hil.cell.sensor.hysteresis", "hil.cell.sensor.transducer"]
+"""Left plain: atheris 3.0 leaks the operands of each comparison of two arrays, a gigabyte in 40,000
+inputs, and they read no bytes of a client's."""
 HANG = 20
 """Seconds that one input may take; the interpreter runs ten times slower when instrumented."""
 
@@ -21,7 +24,7 @@ def main() -> None:
         import atheris  # noqa: PLC0415  not among the project's dependencies
     except ImportError:
         sys.exit("atheris is missing: pip install --target .fuzz atheris; PYTHONPATH=.fuzz")
-    with atheris.instrument_imports(include=["drivers", "hil"]):
+    with atheris.instrument_imports(include=["drivers", "hil"], exclude=NUMERIC):
         from fuzz.targets import TARGETS  # noqa: PLC0415
     asked = _arguments(sorted(TARGETS))
     target, folder = TARGETS[asked.target], ROOT / "out/fuzz" / asked.target

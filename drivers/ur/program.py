@@ -37,7 +37,8 @@ class ServoProgram:
     tcp: TCP in the flange's frame, m and rad. mass: kg. centre_of_gravity: in the flange's frame,
     m. lookahead: s, 0.03..0.2. gain: 100..2000 (script manual, servoj). deceleration: of a stop,
     rad/s^2. silence: s after which the robot stops by itself for want of a fresh command; one is
-    as old as the package that it answers.
+    as old as the package that it answers, and followed up to half of that age. step, turn: how far
+    the arm is led towards a set-point in one control period at most, m and rad.
     """
 
     tcp: Vector6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -47,6 +48,8 @@ class ServoProgram:
     gain: float = 300.0
     deceleration: float = 4.0
     silence: float = 0.2
+    step: float = 3e-3
+    turn: float = 0.02
 
     def __post_init__(self) -> None:
         _within("lookahead", self.lookahead, 0.03, 0.2)
@@ -54,9 +57,12 @@ class ServoProgram:
         _within("mass", self.mass, 0.0, 50.0)
         _within("deceleration", self.deceleration, 0.1, 40.0)
         _within("silence", self.silence, 0.02, 2.0)
+        _within("step", self.step, 1e-6, 0.1)
+        _within("turn", self.turn, 1e-6, 1.0)
 
     def text(self, rate: int) -> str:
         """The URScript for a controller of this rate, Hz."""
+        patience = round(self.silence * rate)
         source = files("drivers.ur").joinpath("servo.script").read_text(encoding="ascii")
         return Template(source).substitute(
             tcp=_numbers(self.tcp),
@@ -65,7 +71,10 @@ class ServoProgram:
             lookahead=_numbers([self.lookahead]),
             gain=_numbers([self.gain]),
             deceleration=_numbers([self.deceleration]),
-            patience=round(self.silence * rate),
+            step=_numbers([self.step]),
+            turn=_numbers([self.turn]),
+            patience=patience,
+            late=patience // 2,
             silence=round(self.silence * 1e3),
         )
 

@@ -50,6 +50,8 @@ def drivers(rig: Rig, doors: Doors, tap: Tap | None = None, limit: float = LIMIT
         mass=tool.mass,
         centre_of_gravity=(0.0, 0.0, tool.centre_of_mass),
         silence=rig.limits.command_age,
+        step=min(rig.limits.step, rig.limits.speed * rig.robot.period / NS),
+        turn=rig.limits.step_rotation,
     )
     arm = UrArm(
         doors.host,

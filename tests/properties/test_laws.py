@@ -1,5 +1,6 @@
 """Laws of the near side under faults, and for each a planted bug that breaks it."""
 
+import math
 from functools import partial
 
 import numpy as np
@@ -118,8 +119,12 @@ class Robots:
     def tcp(self):
         return (*self.flange.position, *rotation_vector(self.flange.rotation))
 
-    def take(self, move):
-        """One period of a client."""
+    @property
+    def cycle(self):
+        return self.arm.box.registers.outputs.integers[26]
+
+    def take(self, move, age=0):
+        """One period of a client whose command answers the cycle before `age` others."""
         command = {"servo": Command.SERVO, "hold": Command.HOLD, "stop": Command.STOP}
         if move.word in command:
             x, y, z, *turn = self.pose
@@ -128,6 +133,7 @@ class Robots:
             self.sequence += 1
             values = {"input_int_register_24": command[move.word]}
             values["input_int_register_25"] = self.sequence
+            values["input_int_register_26"] = self.cycle - age
             for axis, value in enumerate(self.pose):
                 values[f"input_double_register_{24 + axis}"] = value
             self.arm.accept(values, self.t)
@@ -166,6 +172,57 @@ def test_a_program_without_its_watchdog_breaks_that_law():
     assert sleeping != PROGRAM
     with pytest.raises(AssertionError):
         stops_when_commands_fall_silent(sleeping)
+
+
+# An arm is led no faster than it may go, and by no command that comes late.
+
+jumps = st.lists(st.tuples(*[st.floats(-6e-3, 6e-3)] * 3), min_size=3, max_size=8)
+
+
+def leads_within_limits(text):
+    @LAW
+    @given(jumps)
+    def law(jumps):
+        robot = Robots(text)
+        for way in jumps:
+            before = robot.tcp()
+            robot.take(hs.Move("servo", way))
+            for _ in range(4):
+                assert math.dist(robot.tcp()[:3], before[:3]) <= 1.05 * ServoProgram().step
+                before = robot.tcp()
+                robot.run()
+
+    law()
+
+
+def test_set_points_far_apart_lead_an_arm_no_faster_than_it_may_go():
+    leads_within_limits(PROGRAM)
+
+
+def test_a_program_that_goes_to_each_set_point_at_once_breaks_that_law():
+    leaping = PROGRAM.replace("here = towards(target, here)", "here = target")
+    assert leaping != PROGRAM
+    with pytest.raises(AssertionError):
+        leads_within_limits(leaping)
+
+
+def moved(text, age):
+    """How far a command of this age, cycles, moves an arm that stood, m."""
+    robot = Robots(text)
+    robot.take(hs.Move("servo"))
+    robot.run(15)
+    before = robot.tcp()
+    robot.take(hs.Move("servo", (1e-3, 0.0, 0.0)), age)
+    robot.run(3)
+    return math.dist(robot.tcp()[:3], before[:3])
+
+
+def test_a_command_half_as_old_as_the_silence_that_stops_an_arm_does_not_move_it():
+    """One in a campaign moved the arm so late that it had not come to rest when it was too old."""
+    late = round(0.2 * 125) // 2
+    assert moved(PROGRAM, late - 1) > 0.5e-3
+    assert moved(PROGRAM, late) == pytest.approx(0.0, abs=1e-9)
+    assert moved(ServoProgram(silence=0.4).text(125), late) > 0.5e-3
 
 
 # F1 for whatever contact and whatever the bus does.

@@ -30,7 +30,15 @@ def test_the_program_is_one_def_that_ends():
 
 @pytest.mark.parametrize(
     "parameter",
-    [{"lookahead": 0.02}, {"gain": 2001.0}, {"mass": -0.1}, {"deceleration": 0.0}, {"silence": 3}],
+    [
+        {"lookahead": 0.02},
+        {"gain": 2001.0},
+        {"mass": -0.1},
+        {"deceleration": 0.0},
+        {"silence": 3},
+        {"step": 0.0},
+        {"turn": 2.0},
+    ],
 )
 def test_parameters_outside_the_manuals_range_are_refused(parameter):
     (name,) = parameter
