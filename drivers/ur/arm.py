@@ -219,8 +219,9 @@ class UrArm:
 
     def _send(self, command: Command, pose: Vector6) -> None:
         self._sequence = (self._sequence + 1) & SEQUENCE_MASK
-        values = (command, self._sequence, *pose, self._mask, self._outputs, self._cycle)
-        package = self._rtde.pack(values)
+        told = (command, self._sequence, *pose)
+        check = sum(told) + self._cycle  # neither RTDE nor TCP's sum would tell a bent number
+        package = self._rtde.pack((*told, self._mask, self._outputs, self._cycle, check))
         if self._tap is not None:
             self._tap(max(self._t, 0), True, package)
         self._rtde.put(package)

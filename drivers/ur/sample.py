@@ -31,6 +31,7 @@ INPUTS: Final = (
     "standard_digital_output_mask",
     "standard_digital_output",
     "input_int_register_26",
+    "input_double_register_30",
 )
 
 

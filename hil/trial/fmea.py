@@ -26,19 +26,22 @@ class Entry(BaseModel):
     when: Mapping[str, tuple[float, float] | tuple[str, ...]] = {}
     budget_ms: float = Field(ge=0)
     recovery_ms: float = Field(default=0.0, ge=0)
+    back_when: Mapping[str, tuple[str, ...]] = {}
     requirement: str
     test: str
 
-    @property
-    def comes_back(self) -> bool:
-        """Whether the near side is brought up again once such a fault is over."""
-        return self.reaction == "stop" and self.recovery_ms > 0.0
+    def comes_back(self, fault: Fault) -> bool:
+        """Whether the near side is brought up again once this very fault is over."""
+        owed = self.reaction == "stop" and self.recovery_ms > 0.0
+        return owed and _all_met(fault, self.back_when)
 
     def stops(self, fault: Fault) -> bool:
         """Whether this very fault has to stop the arm."""
-        return self.reaction == "stop" and all(
-            _meets(fault.parameters[name], allowed) for name, allowed in self.when.items()
-        )
+        return self.reaction == "stop" and _all_met(fault, self.when)
+
+
+def _all_met(fault: Fault, wanted: Mapping[str, tuple[float, float] | tuple[str, ...]]) -> bool:
+    return all(_meets(fault.parameters[name], allowed) for name, allowed in wanted.items())
 
 
 def _meets(value: float | str, allowed: tuple[float, float] | tuple[str, ...]) -> bool:
@@ -77,7 +80,8 @@ def _entry(name: str, id: str, content: object) -> Entry:
         where = ".".join(map(str, first["loc"]))
         raise FaultError(f"{name}: {id}.{where}: {first['msg']}") from None
     known = {parameter.name for parameter in row(id).parameters}
-    for parameter in entry.when:
-        if parameter not in known:
-            raise FaultError(f"{name}: {id}.when.{parameter}: {id} has {sorted(known)}")
+    for key, conditions in (("when", entry.when), ("back_when", entry.back_when)):
+        for parameter in conditions:
+            if parameter not in known:
+                raise FaultError(f"{name}: {id}.{key}.{parameter}: {id} has {sorted(known)}")
     return entry

@@ -30,7 +30,7 @@ def wanted(
     None as long as another one is in force.
     """
     happened, over = _of(events, Stage.ACTIVE), _of(events, Stage.CLEARED)
-    back = {index for index, fault in faults if fmea[fault.kind].comes_back}
+    back = {index for index, fault in faults if fmea[fault.kind].comes_back(fault)}
     return tuple(sorted(back & over & happened)) if happened <= over else ()
 
 

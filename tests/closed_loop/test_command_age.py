@@ -29,14 +29,13 @@ def follow_from_power_up(arm):
     follow(arm, 50)
 
 
-def test_commands_within_the_age_limit_are_followed(rig):
-    with open_testbed(held_back(rig, 0.06)) as bed:
+def test_commands_within_half_the_age_limit_are_followed(rig):
+    with open_testbed(held_back(rig, 0.3 * rig.limits.command_age)) as bed:
         bed.near.arm.connect()
         follow(bed.near.arm, 50)
 
 
 def test_an_arm_whose_every_command_is_too_old_ends_its_program(rig):
-    assert rig.limits.command_age < 0.15
-    bed = open_testbed(held_back(rig, 0.15))
+    bed = open_testbed(held_back(rig, 0.6 * rig.limits.command_age))
     with bed as opened, pytest.raises(RobotStateError, match="late"):
         follow_from_power_up(opened.near.arm)

@@ -16,7 +16,8 @@ from hil.cell.rig.robot import Ports, Robot
 from hil.cell.rig.task import Link
 
 FREE = Ports(dashboard=0, primary=0, secondary=0, realtime=0, rtde=0)
-TOOL = ServoProgram(tcp=(0.0, 0.0, 0.12, 0.0, 0.0, 0.0), mass=0.6)
+# Its step lets a leap through to the controller, which has to refuse it.
+TOOL = ServoProgram(tcp=(0.0, 0.0, 0.12, 0.0, 0.0, 0.0), mass=0.6, step=0.1)
 ZERO = (0.0,) * 6
 
 

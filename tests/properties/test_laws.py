@@ -123,19 +123,23 @@ class Robots:
     def cycle(self):
         return self.arm.box.registers.outputs.integers[26]
 
-    def take(self, move, age=0):
-        """One period of a client whose command answers the cycle before `age` others."""
+    def take(self, move, age=0, bent=0.0):
+        """One period of a client whose command answers the cycle before `age` others.
+
+        bent: what is added to its sum.
+        """
         command = {"servo": Command.SERVO, "hold": Command.HOLD, "stop": Command.STOP}
         if move.word in command:
             x, y, z, *turn = self.pose
             way = move.step if move.word == "servo" else (0.0, 0.0, 0.0)
             self.pose = (x + way[0], y + way[1], z + way[2], *turn)
             self.sequence += 1
-            values = {"input_int_register_24": command[move.word]}
+            values = {"input_int_register_24": int(command[move.word])}
             values["input_int_register_25"] = self.sequence
             values["input_int_register_26"] = self.cycle - age
             for axis, value in enumerate(self.pose):
                 values[f"input_double_register_{24 + axis}"] = value
+            values["input_double_register_30"] = sum(values.values()) + bent
             self.arm.accept(values, self.t)
         self.run()
 
@@ -206,13 +210,13 @@ def test_a_program_that_goes_to_each_set_point_at_once_breaks_that_law():
         leads_within_limits(leaping)
 
 
-def moved(text, age):
+def moved(text, age=0, bent=0.0):
     """How far a command of this age, cycles, moves an arm that stood, m."""
     robot = Robots(text)
     robot.take(hs.Move("servo"))
     robot.run(15)
     before = robot.tcp()
-    robot.take(hs.Move("servo", (1e-3, 0.0, 0.0)), age)
+    robot.take(hs.Move("servo", (1e-3, 0.0, 0.0)), age, bent)
     robot.run(3)
     return math.dist(robot.tcp()[:3], before[:3])
 
@@ -223,6 +227,13 @@ def test_a_command_half_as_old_as_the_silence_that_stops_an_arm_does_not_move_it
     assert moved(PROGRAM, late - 1) > 0.5e-3
     assert moved(PROGRAM, late) == pytest.approx(0.0, abs=1e-9)
     assert moved(ServoProgram(silence=0.4).text(125), late) > 0.5e-3
+
+
+def test_a_command_that_was_bent_on_its_way_does_not_move_an_arm():
+    """One in a campaign led a held part away from its slot, against it with 140 N."""
+    assert moved(PROGRAM, bent=2e-5) == pytest.approx(0.0, abs=1e-9)
+    assert moved(PROGRAM, bent=1e-7) > 0.5e-3
+    assert moved(PROGRAM.replace("< 0.00001", "< 1"), bent=2e-5) > 0.5e-3
 
 
 # F1 for whatever contact and whatever the bus does.

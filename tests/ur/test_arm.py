@@ -17,6 +17,7 @@ from drivers.protocol.rtde import IN_USE, NOT_FOUND, PackageType, encode
 from drivers.protocol.rtde_setup import ControllerVersion, TextMessage, encode_text
 from drivers.ur.arm import UrArm, UrPorts
 from drivers.ur.program import Command
+from drivers.ur.sample import INPUTS
 
 POSE = (0.41, -0.1, 0.2, 0.0, 3.1, 0.0)
 
@@ -449,7 +450,7 @@ def test_silence_is_a_timeout(served, robot):
 def test_a_package_of_another_size_is_a_protocol_error(connected, robot):
     robot.extra = b""
     robot.out_recipe = robot.in_recipe
-    robot.values = lambda: (0,) * 11
+    robot.values = lambda: (0,) * len(INPUTS)
     connected.hold()
     with pytest.raises(ProtocolError, match="the recipe has"):
         connected.read()

@@ -8,9 +8,9 @@ from hil.campaign.run import Json, Report, Run
 from hil.campaign.run import Verdict as Ended
 from hil.cell.faults.catalogue import row
 from hil.cell.faults.log import FaultEvent, Stage
-from hil.cell.faults.parse import fault
+from hil.cell.faults.parse import fault as parsed
 from hil.cell.faults.row import Place, phase_of
-from hil.cell.faults.schedule import Schedule
+from hil.cell.faults.schedule import Fault, Schedule
 from hil.cell.rig import parse
 from hil.trial.figures import Figures
 from hil.trial.fmea import Entry, load
@@ -21,12 +21,14 @@ from hil.trial.verdict import Verdict
 def one(run: Run) -> Report:
     """Run the fault in the variant; passed when the run was safe and the fault had an effect."""
     rig = parse(run.rig).on_free_ports()
-    chosen = fault("fault", run.variant["fault"])
+    chosen = parsed("fault", run.variant["fault"])
     policy = "wdql" if chosen.row.place is Place.AGENTS else "pose"
     trial = run_trial(rig, run.seed, Schedule((chosen,)), policy=policy)
     entry = load()[chosen.kind]
     owed = trial.faults if entry.stops(chosen) else ()
-    over = late(owed, trial.events, entry.budget_ms) or lost(trial.faults, trial.events, entry)
+    over = late(owed, trial.events, entry.budget_ms) or lost(
+        trial.faults, trial.events, entry, chosen
+    )
     verdict = Ended.FAILED if over and trial.verdict is Verdict.PASSED else _ended(trial)
     return Report(_figures(trial, chosen.kind), verdict, over or trial.reason)
 
@@ -44,7 +46,9 @@ def late(faults: Iterable[Figures], events: Sequence[FaultEvent], budget: float)
     return ""
 
 
-def lost(faults: Iterable[Figures], events: Sequence[FaultEvent], entry: Entry) -> str:
+def lost(
+    faults: Iterable[Figures], events: Sequence[FaultEvent], entry: Entry, fault: Fault
+) -> str:
     """From what the near side did not come back within its budget; "" for nothing.
 
     What is still in force, or never stopped the arm, need not be come back from.
@@ -52,7 +56,7 @@ def lost(faults: Iterable[Figures], events: Sequence[FaultEvent], entry: Entry) 
     budget = entry.recovery_ms
     for found in faults:
         cleared = any(e.index == found.index and e.stage is Stage.CLEARED for e in events)
-        owed = budget and (cleared if entry.comes_back else found.recovery is not None)
+        owed = budget and (cleared if entry.comes_back(fault) else found.recovery is not None)
         if owed and (found.recovery is None or found.recovery * 1e3 > budget):
             took = "never" if found.recovery is None else f"after {found.recovery * 1e3:.0f} ms"
             return f"{found.kind}: ready again {took}, budget {budget:g} ms"
