@@ -83,19 +83,24 @@ def _records(file: Path, content: bytes) -> tuple[list[records.McapRecord], str]
     found: list[records.McapRecord] = []
     # A stream reader, since a file cut short has no index; checksums tell damage from content.
     stream = StreamReader(io.BytesIO(content), validate_crcs=True)
+    channels = set[int]()
     try:
         in_data = True  # what follows DataEnd repeats: an index, outside the checksums
         for record in stream.records:
             in_data = in_data and not isinstance(record, records.DataEnd)
+            if isinstance(record, records.Channel):
+                channels.add(record.id)
+            if isinstance(record, records.Message) and record.channel_id not in channels:
+                break  # its channel's record was bent
             if in_data:
                 found.append(record)
+        else:
+            return found, ""
     except InvalidMagic:
         if not found:
             raise RecordingError(f"{file}: is not an MCAP recording") from None
     except DAMAGE:
         pass
-    else:
-        return found, ""
     return found, "cut off or damaged; this is what can be read"
 
 

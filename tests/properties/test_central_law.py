@@ -60,6 +60,7 @@ def tried(examples=None):
     )  # fmt: skip
     @example((begun("R1", at="contact"), ONE))
     @example((begun("C7"), ONE))
+    @example((begun("C7", at="contact"), ONE))
     @given(CASES)
     def law(case):
         holds(*case, visits)
@@ -107,11 +108,11 @@ def driver_that_fills_half_a_wrench_with_the_last_other_half(patch):
     patch.setattr(Assembler, "_join", join)
 
 
-def program_without_its_watchdog(patch):
+def program_that_minds_no_age(patch):
     sound = ServoProgram.text
 
     def text(self, rate):
-        return re.sub(r"silent >= \d+", "silent >= 1000000", sound(self, rate))
+        return re.sub(r"(silent >=|silent <=|answered >) \d+", r"\1 1000000", sound(self, rate))
 
     patch.setattr(ServoProgram, "text", text)
     patch.setattr(UrArm, "_mind_echo", lambda *_: None)  # or the host stops the program itself
@@ -121,7 +122,7 @@ OLD = {"mean": 0.3, "jitter": 0.0, "law": "constant", "direction": "to_cell"}
 BUGS = [
     (guard_with_ten_times_its_bound, begun("S1", {"force": 4.0, "axis": "fx"})),
     (driver_that_fills_half_a_wrench_with_the_last_other_half, begun("C9")),
-    (program_without_its_watchdog, begun("T1", OLD)),
+    (program_that_minds_no_age, begun("T1", OLD)),
 ]
 
 

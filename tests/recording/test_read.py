@@ -6,6 +6,7 @@ import sys
 import orjson
 import pytest
 from mcap.reader import make_reader
+from mcap.writer import Writer
 
 from hil.recording.errors import RecordingError
 from hil.recording.read import load
@@ -64,6 +65,18 @@ def test_a_damaged_byte_never_shows_as_another_message(tmp_path, record, entries
         damaged.write_bytes(whole)
         whole[at] ^= 0xFF
         assert {m.payload for m in load(damaged).messages} <= {m.payload for m in complete}
+
+
+def test_a_message_of_no_channel_is_damage(tmp_path):
+    """Found by mutation: the record of its channel was bent into another kind's."""
+    with (tmp_path / "run.mcap").open("wb") as file:
+        writer = Writer(file)
+        writer.start()
+        writer.add_message(channel_id=7, log_time=0, data=b"{}", publish_time=0)
+        writer.finish()
+    run = load(tmp_path)
+    assert run.messages == ()
+    assert run.ending.startswith("cut off or damaged")
 
 
 def test_a_file_that_is_no_recording_is_refused(tmp_path):

@@ -41,9 +41,9 @@ def test_a_limit_of_the_safety_system_ends_the_job_without_a_retry(law, what):
     law.stops(state, "R6", {"what": what}, told="ProtectiveStopError")
 
 
-@pytest.mark.parametrize(("value", "told"), [("nan", "program does not run"), SLOW("jump", "Stop")])
-def test_a_command_that_the_robot_refuses_ends_the_job(law, value, told):
-    law.stops(state, "R7", {"value": value, "jump": 0.05}, told=told)
+@pytest.mark.parametrize("value", ["nan", SLOW("jump")])
+def test_a_command_that_the_robot_refuses_ends_the_job(law, value):
+    law.stops(state, "R7", {"value": value, "jump": 0.05}, told="commands fell silent")
 
 
 def reconnecting(patch):
