@@ -1,13 +1,15 @@
 """Takes one row of signals a control period: the cell's truth and what the near side knew.
 
 The cell tells each period as it ends; the near side tells each cycle before the command that
-releases the next period. In lockstep they take turns, so a row is the same on every machine.
+releases the next period. In lockstep they take turns, and a row has what the near side knew when it
+gave its last command, so a row is the same on every machine. Of a near side whose link was cut, and
+that learns so while the cell goes on by itself, it has nothing newer.
 """
 
 from collections import deque
 from collections.abc import Callable, Sequence
 from math import dist, hypot
-from typing import Final
+from typing import Final, NamedTuple
 
 from controller.course import Course
 from controller.cycle import Cycle
@@ -33,6 +35,19 @@ Forces = Callable[[bool], tuple[int, bool]]
 
 def no_faults(_running: bool) -> tuple[int, bool]:
     return 0, False
+
+
+class _Told(NamedTuple):
+    """What the near side knew as it gave its last command."""
+
+    phase: str = "start"
+    episode: int = 0
+    running: bool = False
+    stopping: bool = False
+    finite: bool = True
+    measured: Vector4 = (0.0, 0.0, 0.0, 0.0)
+    age: int = 0
+    steps: int = 0
 
 
 class Sampler:
@@ -62,6 +77,8 @@ class Sampler:
         self.finite, self.leaving = True, False
         self._measured: Vector4 = (0.0, 0.0, 0.0, 0.0)
         self._age, self._steps = 0, 0
+        self._told = _Told()
+        self.answered = 0  # controller time, ns, of the package that the last command answers
 
     def command(self, name: tuple[int, int], read: int, *, stopping: bool) -> None:
         """The near side sent this command, knowing the package of controller time `read`, ns.
@@ -83,6 +100,11 @@ class Sampler:
         self._sent[sequence] = answered
         if len(self._sent) > REMEMBERED:
             del self._sent[next(iter(self._sent))]
+        self.answered = read
+        self._told = _Told(
+            self.phase, self.episode, self.running, self.stopping, self.finite, self._measured,
+            self._age, self._steps,
+        )  # fmt: skip
 
     def package(self) -> None:
         """The near side read a package: it may answer once."""
@@ -99,32 +121,32 @@ class Sampler:
         bench = self.bench
         if bench is None:
             return
-        force = self._push.take(tick.truth)
-        faults, owed = self.faults(self.running)
+        force, told = self._push.take(tick.truth), self._told
+        faults, owed = self.faults(told.running)
         (vx, vy, vz, turning), part = tick.truth.velocity, tick.truth.part
         row = (
             tick.t * 1e-9,
-            float(self.episode),
-            float(self.running),
+            float(told.episode),
+            float(told.running),
             float(part.contact.value != "free"),
             *force,
-            *self._measured,
+            *told.measured,
             self._share(force),
-            self._share(self._measured),
-            self._age * 1e-9,
+            self._share(told.measured),
+            told.age * 1e-9,
             *self._robot(bench, tick.t),
             hypot(vx, vy, vz),
             abs(turning),
-            float(self.finite),
+            float(told.finite),
             float(bench.arm.box.modes.safety in _SAFE),
             float(faults),
             float(owed),
-            float(self._steps),
+            float(told.steps),
         )
         self._burst = 0
         self._rows.append(row)
-        self._phases.append(self.phase)
-        self.judge.step(dict(zip(NAMES, row, strict=True)), self.phase)
+        self._phases.append(told.phase)
+        self.judge.step(dict(zip(NAMES, row, strict=True)), told.phase)
 
     @property
     def trace(self) -> Trace:
@@ -150,7 +172,7 @@ class Sampler:
         age = self._command_age(sequence, t) if servoing else 0.0
         order = self._order(sequence, integers[_ANSWERED]) if servoing else 0
         self._followed = self._followed if servoing else None
-        stopping = self.stopping or not plays
+        stopping = self._told.stopping or not plays
         return (age, float(self._burst), float(order), float(servoing), float(stopping), step, turn)
 
     def _order(self, sequence: int, answered: int) -> int:

@@ -44,8 +44,9 @@ SCRIPTED: Final = ("pose", "spiral", "random", "oracle")
 """Policies by name; every other name is a learner's."""
 _PORT: Final = re.compile(r"(?<=\d\.\d):\d+")
 """Behind an address: a cell on free ports has others each time."""
-AFTERMATH: Final = 1.0
-"""Bench seconds that the cell goes on without its host: longer than any stop may take."""
+AFTERMATH: Final = 1.5
+"""Bench seconds from the host's last command to the end of a run: longer than any stop may take,
+and than the cell goes on by itself after a cut link, so that every run ends at its own time."""
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,7 @@ class _Run(NamedTuple):
                     self._arm(driver, sampler, cell, host, stack)
                 driven = driver.run(near, self.plan, chosen)
                 health = near.sensor.health
-            died = _aftermath(cell, rig)
+            died = _aftermath(cell, rig, sampler.answered + round(AFTERMATH * NS))
             if host is not None:
                 host.news()
             told = events(cell.served) + (host.events if host is not None else ())
@@ -244,10 +245,11 @@ def _pieces(learner: Learner | None, host: HostFaults) -> Pieces | None:
     return pieces(learner, host)
 
 
-def _aftermath(cell: InlineCell, rig: Rig) -> BaseException | None:
-    """Watch the cell without its host; what it died of, if it did."""
+def _aftermath(cell: InlineCell, rig: Rig, until: int) -> BaseException | None:
+    """Watch the cell without its host until then, ns; what it died of, if it did."""
     try:
-        cell.coast(round(AFTERMATH * NS) // rig.robot.period)
+        cell.coast(0)  # its own clock stands from here on
+        cell.coast(max(0, until - cell.served.bench.t) // rig.robot.period)
     except Exception as error:  # whatever it is, the run is over and this is why
         return error
     return None

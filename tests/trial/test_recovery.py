@@ -56,8 +56,10 @@ def test_drawing_back_is_the_way_back_from_a_collision():
     assert 0.1 < trial.faults[0].recovery <= FMEA["P4"].recovery_ms * 1e-3
 
 
-def test_a_run_whose_reason_names_a_port_has_the_same_digest_again():
-    first, again = struck("T3"), struck("T3")
+@pytest.mark.parametrize("kind", ["T3", "R10"])
+def test_a_run_that_lost_its_link_has_the_same_digest_again(kind):
+    """Its reason names a port, and the cell goes on while the near side hears of it."""
+    first, again = struck(kind), struck(kind)
     assert first.reason != again.reason, "free ports differ"
     assert first.digest == again.digest
 
