@@ -34,7 +34,8 @@ class Limits(Section):
     0.15 m/s and 0.1 s. A slowed or hindered arm is stopped before it has more to catch up with."""
     command_age: Seconds = Field(default=0.1, ge=0.02, le=2)
     """X: age of a command's ground at which the robot stops by itself, and the near side when it
-    hears so. Several times the round trip of any network that can be controlled over."""
+    hears so; up to half of it a command is followed, the rest is for coming to rest. Several times
+    the round trip of any network that can be controlled over."""
     unanswered: Seconds = Field(default=0.15, ge=0.02, le=2)
     """How long the robot's program may echo no new command until the host calls its link to it
     dead, has the dashboard stop the program, and stops. X and half again: first the robot's own
