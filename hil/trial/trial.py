@@ -1,6 +1,5 @@
 """One run of a rig under a schedule of faults: the whole of it, from power-up to a verdict."""
 
-import re
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
@@ -23,6 +22,7 @@ from hil.cell.faults.log import FaultEvent, idle
 from hil.cell.faults.schedule import Numbered, Schedule
 from hil.cell.injection.places import OF_A_RUN
 from hil.cell.rig import Rig
+from hil.recording.channels.event import portless
 from hil.trial import recovery
 from hil.trial.disk import recording
 from hil.trial.drive import Driven, Driver
@@ -42,8 +42,6 @@ PATIENCE: Final = 15.0
 """Wall s of silence on a link that are no dead link: campaigns share their machine."""
 SCRIPTED: Final = ("pose", "spiral", "random", "oracle")
 """Policies by name; every other name is a learner's."""
-_PORT: Final = re.compile(r"(?<=\d\.\d):\d+")
-"""Behind an address: a cell on free ports has others each time."""
 AFTERMATH: Final = 1.5
 """Bench seconds from the host's last command to the end of a run: longer than any stop may take,
 and than the cell goes on by itself after a cut link, so that every run ends at its own time."""
@@ -80,7 +78,7 @@ class Trial:
     @property
     def digest(self) -> str:
         told = f"{self.verdict}\0{self.reason}\0{self.outcome}\0{self.error}\0"
-        hashed = sha256(_PORT.sub("", told).encode())
+        hashed = sha256(portless(told).encode())
         hashed.update(self.trace.digest.encode())
         for event in self.events:
             hashed.update(f"{event.t} {event}\0".encode())

@@ -101,3 +101,12 @@ def test_deadlines_and_events_come_back():
 def test_every_channel_has_a_topic_a_schema_and_a_decoder():
     assert len(TOPICS) == len(Channel)
     assert set(SCHEMAS) == set(decoders({}, {})) == set(Channel)
+
+
+def test_an_event_names_an_address_without_the_port_that_another_run_has_not():
+    """Two runs of one seed whose link was cut had recordings that differed by it."""
+    lines = [f"LinkError: RTDE at 127.0.0.1:{port} cut the connection" for port in (34805, 44351)]
+    first, again = (event.encode(EventKind.NOTE, line) for line in lines)
+    assert first == again
+    assert event.fields(first)["text"] == "LinkError: RTDE at 127.0.0.1 cut the connection"
+    assert event.fields(event.encode(EventKind.NOTE, "at 12:30 h"))["text"] == "at 12:30 h"
