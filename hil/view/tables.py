@@ -26,8 +26,16 @@ WIDTH = 110
 
 
 def as_json(result: object) -> str:
-    """A dataclass, or a list of them, as JSON."""
-    return orjson.dumps(result, option=orjson.OPT_INDENT_2).decode() + "\n"
+    """A dataclass or a named tuple, or a list of them, as JSON."""
+    return orjson.dumps(result, default=_named, option=orjson.OPT_INDENT_2).decode() + "\n"
+
+
+def _named(value: object) -> dict[str, object]:
+    """A named tuple by its fields: orjson knows none."""
+    names = getattr(value, "_fields", None)
+    if names is None:
+        raise TypeError(type(value).__name__)
+    return {name: getattr(value, name) for name in names}
 
 
 def of_run(summary: Summary) -> str:
