@@ -14,17 +14,22 @@ class Row(NamedTuple):
 
 
 def at_most(target: str, what: str, measured: float, bound: float, unit: str) -> Row:
-    return Row(target, what, _text(measured, unit), f"<= {_text(bound, unit)}", measured <= bound)
+    return Row(
+        target, what, _text(measured, unit), f"<= {_text(bound, unit)}", bool(measured <= bound)
+    )
 
 
 def at_least(target: str, what: str, measured: float, bound: float, unit: str) -> Row:
-    return Row(target, what, _text(measured, unit), f">= {_text(bound, unit)}", measured >= bound)
+    return Row(
+        target, what, _text(measured, unit), f">= {_text(bound, unit)}", bool(measured >= bound)
+    )
 
 
 def within(target: str, what: str, measured: float, ideal: float, tolerance: float) -> Row:
     """`measured` against `ideal`, both in SI; tolerance as a fraction of the ideal."""
     allowed = f"{ideal:.4g} within {100 * tolerance:.3g} %"
-    return Row(target, what, f"{measured:.4g}", allowed, abs(measured - ideal) <= tolerance * ideal)
+    passed = bool(abs(measured - ideal) <= tolerance * ideal)  # and no numpy.bool
+    return Row(target, what, f"{measured:.4g}", allowed, passed)
 
 
 def _text(value: float, unit: str) -> str:
