@@ -14,22 +14,17 @@ class Row(NamedTuple):
 
 
 def at_most(target: str, what: str, measured: float, bound: float, unit: str) -> Row:
-    return Row(
-        target, what, _text(measured, unit), f"<= {_text(bound, unit)}", bool(measured <= bound)
-    )
+    return Row(target, what, _text(measured, unit), f"<= {_text(bound, unit)}", measured <= bound)
 
 
 def at_least(target: str, what: str, measured: float, bound: float, unit: str) -> Row:
-    return Row(
-        target, what, _text(measured, unit), f">= {_text(bound, unit)}", bool(measured >= bound)
-    )
+    return Row(target, what, _text(measured, unit), f">= {_text(bound, unit)}", measured >= bound)
 
 
 def within(target: str, what: str, measured: float, ideal: float, tolerance: float) -> Row:
     """`measured` against `ideal`, both in SI; tolerance as a fraction of the ideal."""
     allowed = f"{ideal:.4g} within {100 * tolerance:.3g} %"
-    passed = bool(abs(measured - ideal) <= tolerance * ideal)  # and no numpy.bool
-    return Row(target, what, f"{measured:.4g}", allowed, passed)
+    return Row(target, what, f"{measured:.4g}", allowed, abs(measured - ideal) <= tolerance * ideal)
 
 
 def _text(value: float, unit: str) -> str:

@@ -26,8 +26,9 @@ WIDTH = 110
 
 
 def as_json(result: object) -> str:
-    """A dataclass or a named tuple, or a list of them, as JSON."""
-    return orjson.dumps(result, default=_named, option=orjson.OPT_INDENT_2).decode() + "\n"
+    """A dataclass or a named tuple, or a list of them, as JSON; numpy's numbers are numbers."""
+    options = orjson.OPT_INDENT_2 | orjson.OPT_SERIALIZE_NUMPY
+    return orjson.dumps(result, default=_named, option=options).decode() + "\n"
 
 
 def _named(value: object) -> dict[str, object]:
@@ -84,7 +85,7 @@ def of_facts(values: Mapping[str, str | int | float | None]) -> str:
 def of_rows(rows: "Sequence[Row]", *, json: bool) -> str:
     """An experiment's table."""
     if json:
-        return as_json([row._asdict() for row in rows])
+        return as_json(list(rows))
     table = _table("target", "what", "measured", "allowed", "")
     for row in rows:
         table.add_row(*row[:4], "ok" if row.passed else "FAILED")
